@@ -1,0 +1,178 @@
+// Advances one block of runs, a lane each, from start to end. Included by the level_*.cpp files only, and kept
+// free of library templates: their code would be shared between files compiled for different processors.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "batch.hpp"
+#include "lanes.hpp"
+#include "record.hpp"
+
+namespace plategait {
+
+/// Aligned scratch memory of one block.
+template <class R>
+struct Scratch {
+  R* data;
+  explicit Scratch(std::size_t n) : data(static_cast<R*>(std::aligned_alloc(alignof(R) < 64 ? 64 : alignof(R), (n * sizeof(R) + 127) / 128 * 128 + 128))) {
+    if (data) std::memset(static_cast<void*>(data), 0, n * sizeof(R));
+  }
+  ~Scratch() { std::free(data); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+};
+
+/// Flush tiny numbers to zero while a block runs: a sheet at rest would otherwise crawl through denormals.
+struct FlushDenormals {
+#if defined(__SSE__)
+  unsigned saved = _mm_getcsr();
+  FlushDenormals() { _mm_setcsr(saved | 0x8040u); }
+  ~FlushDenormals() { _mm_setcsr(saved); }
+#endif
+};
+
+template <class Level, class T>
+struct Block {
+  static constexpr int W = lanes_of<Level, T>;
+  using R = Lanes<T, W, Level>;
+  using D = Lanes<double, W, Level>;
+
+  const Batch<T>& batch;
+  const std::int64_t first;
+  const int used;  // lanes that carry a run; the others repeat the first and are thrown away
+  const int n_nodes;
+  Scratch<R> nodes, table;
+  Scratch<Term<R>> terms;
+  R parameter[N_PARAMETERS];
+  D time_step, time;
+  Tally<R> tally{};
+  State<R> state;
+  Trajectory<R> trajectory;
+  std::int64_t taken = 0, steps[W], next_sample[W], sampled[W], pictured[W];
+  bool running[W];
+
+  Block(const Batch<T>& b, std::int64_t start)
+      : batch(b), first(start), used(static_cast<int>(b.n_runs - start < W ? b.n_runs - start : W)),
+        n_nodes(b.topology.n_nodes), nodes(9 * static_cast<std::size_t>(n_nodes)),
+        table(static_cast<std::size_t>(b.n_knots) * 12), terms(static_cast<std::size_t>(b.n_terms)),
+        state{{nodes.data, 1}, {nodes.data + 3 * n_nodes, 1}, {nodes.data + 6 * n_nodes, 1}},
+        trajectory{b.n_terms, b.n_knots, b.term_dof, terms.data, table.data} {
+    for (int q = 0; q < W; q++) load_run(q);
+  }
+
+  std::int64_t run_of(int q) const { return first + (q < used ? q : 0); }
+
+  void load_run(int q) {
+    const std::int64_t run = run_of(q), n = batch.n_runs;
+    for (int p = 0; p < N_PARAMETERS; p++) parameter[p].v[q] = static_cast<T>(batch.parameters[p * n + run]);
+    time_step.v[q] = batch.parameters[TIME_STEP * n + run];
+    time.v[q] = 0;
+    for (int j = 0; j < batch.n_terms; j++) {
+      terms.data[j].amplitude.v[q] = static_cast<T>(batch.terms[(3 * j) * n + run]);
+      terms.data[j].frequency.v[q] = batch.terms[(3 * j + 1) * n + run];
+      terms.data[j].phase.v[q] = batch.terms[(3 * j + 2) * n + run];
+    }
+    for (std::int64_t j = 0; j < static_cast<std::int64_t>(batch.n_knots) * 12; j++) table.data[j].v[q] = static_cast<T>(batch.table[j * n + run]);
+    for (int j = 0; j < 3 * n_nodes; j++) {
+      state.x.data[j].v[q] = static_cast<T>(batch.x0[run * 3 * n_nodes + j]);
+      state.v.data[j].v[q] = static_cast<T>(batch.v0[run * 3 * n_nodes + j]);
+    }
+    steps[q] = batch.steps[run];
+    next_sample[q] = 0;
+    sampled[q] = pictured[q] = 0;
+    running[q] = q < used && steps[q] > 0;
+  }
+
+  bool any_running() const {
+    for (int q = 0; q < used; q++)
+      if (running[q]) return true;
+    return false;
+  }
+
+  std::int64_t next_stop() const {
+    std::int64_t stop = -1;
+    for (int q = 0; q < used; q++) {
+      if (!running[q]) continue;
+      const std::int64_t due = next_sample[q] < steps[q] ? next_sample[q] : steps[q];
+      if (stop < 0 || due < stop) stop = due;
+    }
+    return stop;
+  }
+
+  /// The run of lane q ends here: keep its state.
+  void finish(int q) {
+    running[q] = false;
+    const std::int64_t run = run_of(q);
+    batch.steps_done[run] = taken;
+    for (int j = 0; j < 3 * n_nodes; j++) {
+      batch.x1[run * 3 * n_nodes + j] = static_cast<double>(state.x.data[j].v[q]);
+      batch.v1[run * 3 * n_nodes + j] = static_cast<double>(state.v.data[j].v[q]);
+    }
+  }
+
+  void picture(int q) {
+    const std::int64_t run = run_of(q);
+    if (batch.thinning[run] <= 0 || (sampled[q] - 1) % batch.thinning[run] != 0 || pictured[q] >= batch.max_snapshots) return;
+    float* out = batch.snapshots + (run * batch.max_snapshots + pictured[q]++) * 3 * n_nodes;
+    for (int j = 0; j < 3 * n_nodes; j++) out[j] = static_cast<float>(state.x.data[j].v[q]);
+  }
+
+  /// Sample every lane that is due, and end those that are done or no longer finite.
+  void sample() {
+    R window;
+    for (int q = 0; q < W; q++) {
+      const std::int64_t stride = batch.stride[run_of(q)];
+      window.v[q] = static_cast<T>(taken == 0 ? 1 : stride);
+    }
+    R channel[N_CHANNELS];
+    record_sample(state, batch.topology, parameter, trajectory, time, window, tally, channel);
+    for (int q = 0; q < used; q++) {
+      if (!running[q]) continue;
+      if (taken == next_sample[q]) {
+        const std::int64_t run = run_of(q);
+        if (sampled[q] < batch.max_samples) {
+          T* out = batch.samples + (run * batch.max_samples + sampled[q]) * N_CHANNELS;
+          for (int c = 0; c < N_CHANNELS; c++) out[c] = channel[c].v[q];
+        }
+        sampled[q]++;
+        picture(q);
+        next_sample[q] += batch.stride[run];
+        clear_tally(q);
+        // A sheet that moves faster than 1 km/s has diverged, whatever its numbers say later.
+        const T speed2 = channel[KINETIC_ENERGY].v[q] / (T(0.5) * parameter[NODE_MASS].v[q] * n_nodes);
+        if (!(speed2 < T(1e6))) finish(q);
+      }
+      if (running[q] && taken == steps[q]) finish(q);
+    }
+  }
+
+  void clear_tally(int q) {
+    for (R* sum : {&tally.left, &tally.right, &tally.none, &tally.nodes, &tally.joint_loss, &tally.contact_work,
+                   &tally.friction_loss, &tally.plate_work})
+      sum->v[q] = 0;
+  }
+
+  void run(Progress& progress) {
+    const FlushDenormals guard;
+    while (any_running()) {
+      if (progress.cancelled.load(std::memory_order_relaxed)) return;
+      const std::int64_t stop = next_stop(), from = taken;
+      for (; taken < stop; taken++) {
+        time = time_step * D(static_cast<double>(taken));
+        advance_one_step(state, batch.topology, parameter, trajectory, time, tally);
+      }
+      time = time_step * D(static_cast<double>(taken));
+      sample();
+      progress.steps.fetch_add((stop - from) * used, std::memory_order_relaxed);
+    }
+  }
+};
+
+template <class Level, class T>
+void advance_block(const Batch<T>& batch, std::int64_t first, Progress& progress) {
+  Block<Level, T>(batch, first).run(progress);
+}
+
+}  // namespace plategait

@@ -1,0 +1,288 @@
+// The laws of the sheet and the plate: one function per law, on numbers of any kind (see scalar.hpp, lanes.hpp).
+// SI units throughout, except where (3.1) counts depth in millimetres.
+#pragma once
+
+#include "scalar.hpp"
+
+namespace plategait {
+
+template <class R>
+struct Vec3 {
+  R x, y, z;
+  PLATEGAIT_HD friend Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  PLATEGAIT_HD friend Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  PLATEGAIT_HD friend Vec3 operator*(R s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
+};
+
+template <class R>
+PLATEGAIT_HD R dot(Vec3<R> a, Vec3<R> b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class R>
+PLATEGAIT_HD Vec3<R> cross(Vec3<R> a, Vec3<R> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Number constant of the element type of R.
+template <class R>
+PLATEGAIT_HD R number(double value) {
+  return R(static_cast<Element<R>>(value));
+}
+
+// ---------------------------------------------------------------------------------------------- joints
+
+/// A straight piece of the lattice between two neighbouring nodes.
+template <class R>
+struct Edge {
+  Vec3<R> along;     // from the first node to the second, m
+  Vec3<R> rate;      // d(along)/dt, m/s
+  R inverse_length;  // 1/m
+};
+
+template <class R>
+PLATEGAIT_HD Edge<R> edge_between(Vec3<R> x0, Vec3<R> v0, Vec3<R> x1, Vec3<R> v1) {
+  const Vec3<R> along = x1 - x0;
+  return {along, v1 - v0, reciprocal_sqrt(dot(along, along))};
+}
+
+/// Angular velocity of an edge (no spin about itself), rad/s.
+template <class R>
+PLATEGAIT_HD Vec3<R> turning_rate(Edge<R> e) {
+  return (e.inverse_length * e.inverse_length) * cross(e.along, e.rate);
+}
+
+/// Axial Kelvin–Voigt joint (section 3.2.2): tension per unit of `along`, N/m. Adds the power it dissipates.
+template <class R>
+PLATEGAIT_HD R axial_tension(Edge<R> e, R rest_length, R k_c, R c_c, R& loss) {
+  const R stretching = dot(e.rate, e.along) * e.inverse_length;
+  const R damping = c_c * stretching;
+  loss += damping * stretching;
+  return k_c * (number<R>(1) - rest_length * e.inverse_length) + damping * e.inverse_length;
+}
+
+/// θ / (2 sin(θ/2)) from C = cos(θ/2) in [0, 1], i.e. acos(C)/√(1−C²).
+///
+/// Analytic on the whole range (its nearest singularity is C = −1), hence one short polynomial: Chebyshev
+/// interpolation at degree 9, relative error 1.3e-8, so a joint may fold right over.
+template <class R>
+PLATEGAIT_HD R half_angle_ratio(R C) {
+  const R d = number<R>(1) - C;
+  R p = number<R>(0.0111628242261987703);
+  p = p * d + number<R>(-0.0325916887339972212);
+  p = p * d + number<R>(0.0509757584757763827);
+  p = p * d + number<R>(-0.0335529977913274927);
+  p = p * d + number<R>(0.0300591759709965667);
+  p = p * d + number<R>(0.0201634898051668869);
+  p = p * d + number<R>(0.0579778015137750395);
+  p = p * d + number<R>(0.133266572255008853);
+  p = p * d + number<R>(0.333335381433911068);
+  return p * d + number<R>(0.999999989734687395);
+}
+
+/// Angle between two successive edges, through C = cos(θ/2).
+template <class R>
+struct BendAngle {
+  R inverse_half_cosine;
+  R ratio;  // θ / (2 sin(θ/2))
+};
+
+template <class R>
+PLATEGAIT_HD BendAngle<R> bend_angle(Edge<R> first, Edge<R> second) {
+  const R cosine = dot(first.along, second.along) * first.inverse_length * second.inverse_length;
+  // Kept off θ = π, where the axis of the moment is not defined.
+  const R C2 = larger(number<R>(0.5) + number<R>(0.5) * cosine, number<R>(1e-6));
+  const R inverse = reciprocal_sqrt(C2);
+  return {inverse, half_angle_ratio(smaller(C2 * inverse, number<R>(1)))};
+}
+
+/// Bending energy ½ k_b θ² of one joint, J. From the cross product, which small angles do not cancel in.
+template <class R>
+PLATEGAIT_HD R bending_energy(Edge<R> first, Edge<R> second, R k_b) {
+  const BendAngle<R> a = bend_angle(first, second);
+  const Vec3<R> sine = (first.inverse_length * second.inverse_length) * cross(first.along, second.along);
+  const R angle_over_sine = a.ratio * a.inverse_half_cosine;
+  return number<R>(0.5) * k_b * angle_over_sine * angle_over_sine * dot(sine, sine);
+}
+
+/// Bending Kelvin–Voigt joint (section 3.2.2): moment of the first edge on the second, against the angle and
+/// its rate, true at large angles, N m. Adds the power it dissipates.
+template <class R>
+PLATEGAIT_HD Vec3<R> bending_moment(Edge<R> first, Edge<R> second, Vec3<R> first_turning, Vec3<R> second_turning,
+                                    R k_b, R c_b, R& loss) {
+  const BendAngle<R> a = bend_angle(first, second);
+  // θ/sin θ = ratio / cos(θ/2), and first × second = sin θ along the axis, times both lengths.
+  const R stiffness = k_b * a.ratio * a.inverse_half_cosine * first.inverse_length * second.inverse_length;
+  const Vec3<R> turning = second_turning - first_turning;
+  loss += c_b * dot(turning, turning);
+  return stiffness * cross(first.along, second.along) + c_b * turning;
+}
+
+/// Force couple on the far end of an edge that carries the moment M against turning.
+template <class R>
+PLATEGAIT_HD Vec3<R> couple_force(Edge<R> e, Vec3<R> moment) {
+  return (e.inverse_length * e.inverse_length) * cross(e.along, moment);
+}
+
+/// Torsion Kelvin–Voigt joints of one square cell, as the force on its first and fourth corner (the other two
+/// take the opposite), N.
+///
+/// The warp s = x1 − x2 − x3 + x4 of a cell is twist × pitch, and its four edges share two joints' worth of
+/// torsion, hence the energy ½ (2 k_t/l²) s². Central in s, so it carries no net force and no net moment.
+template <class R>
+PLATEGAIT_HD Vec3<R> torsion_force(Vec3<R> warp, Vec3<R> warp_rate, R inverse_pitch, R k_t, R c_t, R& loss) {
+  const R scale = number<R>(2) * inverse_pitch * inverse_pitch;
+  const R growth = dot(warp, warp_rate) / (dot(warp, warp) + number<R>(1e-20));
+  const R damping = scale * c_t * growth;
+  loss += damping * growth * dot(warp, warp);
+  return (number<R>(0) - (scale * k_t + damping)) * warp;
+}
+
+template <class R>
+PLATEGAIT_HD R torsion_energy(Vec3<R> warp, R inverse_pitch, R k_t) {
+  return k_t * inverse_pitch * inverse_pitch * dot(warp, warp);
+}
+
+// --------------------------------------------------------------------------------------------- contact
+
+/// Elastic part of the contact force (3.1), k a^2.2 with the depth a ≥ 0 in m and k in N/mm^2.2, and its slope.
+template <class R>
+struct ContactSpring {
+  R force;      // N
+  R stiffness;  // N/m
+};
+
+template <class R>
+PLATEGAIT_HD ContactSpring<R> contact_spring(R depth, R k_contact) {
+  const R mm = number<R>(1000) * depth;
+  const R root = fifth_root(mm);
+  return {k_contact * mm * mm * root, number<R>(2200) * k_contact * mm * root};
+}
+
+/// Energy stored at that depth, J.
+template <class R>
+PLATEGAIT_HD R contact_energy(R depth, R k_contact) {
+  return contact_spring(depth, k_contact).force * depth * number<R>(1 / 3.2);
+}
+
+/// Contact damping at a depth, rising by a cubic step over a ramp of depth 1/inverse_ramp, N s/m.
+template <class R>
+PLATEGAIT_HD R contact_damping(R depth, R c_contact, R inverse_ramp) {
+  const R s = smaller(depth * inverse_ramp, number<R>(1));
+  return c_contact * s * s * (number<R>(3) - number<R>(2) * s);
+}
+
+/// Normal force of (3.1), never adhesive, N: spring and damper taken linearly implicit over the step.
+///
+/// `separating` is the node's speed off the plate and `other` the acceleration that all other forces give it
+/// that way. Solving with the speed at the end of the step is what lets the step be 1e-4 s.
+template <class R>
+PLATEGAIT_HD R normal_force(R depth, R separating, R other, R inverse_mass, R time_step, R k_contact, R c_contact,
+                            R inverse_ramp) {
+  const ContactSpring<R> spring = contact_spring(larger(depth, number<R>(0)), k_contact);
+  const R resistance = contact_damping(larger(depth, number<R>(0)), c_contact, inverse_ramp) + spring.stiffness * time_step;
+  const R force = (spring.force - resistance * (separating + time_step * other)) /
+                  (number<R>(1) + time_step * inverse_mass * resistance);
+  return select(depth > number<R>(0), larger(force, number<R>(0)), number<R>(0));
+}
+
+// -------------------------------------------------------------------------------------------- friction
+
+/// Coefficient of (3.2): μ_s while slipping slower than V, μ_k at V and above.
+template <class R>
+PLATEGAIT_HD R friction_coefficient(R slip, R mu_s, R mu_k, R V) {
+  return select(slip < V, mu_s, mu_k);
+}
+
+/// Smooth law of the source's solver: 0 → μ_s over V_s = 1/inverse_rise, μ_s → μ_k over V_d − V_s = 1/inverse_fall,
+/// by cubic steps.
+template <class R>
+PLATEGAIT_HD R smooth_friction_coefficient(R slip, R mu_s, R mu_k, R V_s, R inverse_rise, R inverse_fall) {
+  const R rise = smaller(slip * inverse_rise, number<R>(1));
+  const R fall = smaller(larger((slip - V_s) * inverse_fall, number<R>(0)), number<R>(1));
+  return mu_s * rise * rise * (number<R>(3) - number<R>(2) * rise) +
+         (mu_k - mu_s) * fall * fall * (number<R>(3) - number<R>(2) * fall);
+}
+
+// --------------------------------------------------------------------------------------- plate motion
+
+template <class R>
+struct SineCosine {
+  R sine, cosine;
+};
+
+/// sin and cos of 2π·turns, for turns within ±1. Series on the eighth turn nearest zero.
+template <class R>
+PLATEGAIT_HD SineCosine<R> sine_cosine(R turns) {
+  // Fold to [−¼, ¼]: half a turn further, both change sign.
+  const R half = number<R>(0.5), quarter = number<R>(0.25), one = number<R>(1), zero = number<R>(0);
+  const R side = select(turns < zero, number<R>(-1), one);
+  R t = side * turns;
+  t = select(t > half, t - one, t);                // [−½, ½], odd reflection kept by `side`
+  const Mask<R> beyond = select(t < zero, zero - t, t) > quarter;
+  t = select(beyond, t - select(t < zero, number<R>(-0.5), half), t);
+  const R flip = select(beyond, number<R>(-1), one);
+  const R y = number<R>(6.283185307179586) * t, y2 = y * y;
+  R s = number<R>(-1.0 / 121645100408832000.0);
+  s = s * y2 + number<R>(1.0 / 355687428096000.0);
+  s = s * y2 + number<R>(-1.0 / 1307674368000.0);
+  s = s * y2 + number<R>(1.0 / 6227020800.0);
+  s = s * y2 + number<R>(-1.0 / 39916800.0);
+  s = s * y2 + number<R>(1.0 / 362880.0);
+  s = s * y2 + number<R>(-1.0 / 5040.0);
+  s = s * y2 + number<R>(1.0 / 120.0);
+  s = s * y2 + number<R>(-1.0 / 6.0);
+  s = s * y2 + one;
+  R c = number<R>(1.0 / 2432902008176640000.0);
+  c = c * y2 + number<R>(-1.0 / 6402373705728000.0);
+  c = c * y2 + number<R>(1.0 / 20922789888000.0);
+  c = c * y2 + number<R>(-1.0 / 87178291200.0);
+  c = c * y2 + number<R>(1.0 / 479001600.0);
+  c = c * y2 + number<R>(-1.0 / 3628800.0);
+  c = c * y2 + number<R>(1.0 / 40320.0);
+  c = c * y2 + number<R>(-1.0 / 720.0);
+  c = c * y2 + number<R>(1.0 / 24.0);
+  c = c * y2 + number<R>(-0.5);
+  c = c * y2 + one;
+  return {side * flip * s * y, flip * c};
+}
+
+/// Where the plate is and how it moves: three translations, three successive rotations about x, y, z.
+template <class R>
+struct PlateMotion {
+  R position[6], speed[6];  // m, rad; m/s, rad/s
+};
+
+/// Pose of the plate: its axes as seen in the world, and its velocity.
+template <class R>
+struct PlatePose {
+  Vec3<R> origin, ex, ey, normal;  // m; unit vectors along the bar, across it, and up
+  Vec3<R> velocity, turning;       // m/s, rad/s
+};
+
+/// Smooth start: a quintic from 0 to 1 over `duration`, with its rate.
+template <class R>
+PLATEGAIT_HD void smooth_start(R time, R duration, R& level, R& rate) {
+  const R inverse = number<R>(1) / (duration + number<R>(1e-12));
+  const R s = smaller(time * inverse, number<R>(1)), rest = number<R>(1) - s;
+  level = s * s * s * (number<R>(10) - number<R>(15) * s + number<R>(6) * s * s);
+  rate = number<R>(30) * s * s * rest * rest * inverse;
+}
+
+/// Pose from the six degrees of freedom, rotation R = Rx(Θx) Ry(Θy) Rz(Θz).
+template <class R>
+PLATEGAIT_HD PlatePose<R> plate_pose(const PlateMotion<R>& m) {
+  const R turn = number<R>(0.15915494309189535), zero = number<R>(0);
+  const SineCosine<R> a = sine_cosine(m.position[3] * turn), b = sine_cosine(m.position[4] * turn),
+                      g = sine_cosine(m.position[5] * turn);
+  const Vec3<R> ex = {b.cosine * g.cosine, a.cosine * g.sine + a.sine * b.sine * g.cosine,
+                      a.sine * g.sine - a.cosine * b.sine * g.cosine};
+  const Vec3<R> ey = {zero - b.cosine * g.sine, a.cosine * g.cosine - a.sine * b.sine * g.sine,
+                      a.sine * g.cosine + a.cosine * b.sine * g.sine};
+  const Vec3<R> normal = {b.sine, zero - a.sine * b.cosine, a.cosine * b.cosine};
+  const Vec3<R> turning = {m.speed[3] + m.speed[5] * normal.x, m.speed[4] * a.cosine + m.speed[5] * normal.y,
+                           m.speed[4] * a.sine + m.speed[5] * normal.z};
+  return {{m.position[0], m.position[1], m.position[2]}, ex, ey, normal,
+          {m.speed[0], m.speed[1], m.speed[2]}, turning};
+}
+
+}  // namespace plategait

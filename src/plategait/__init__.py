@@ -1,0 +1,74 @@
+"""plategait: a thin soft object on a vibrating plate, how it slides, walks, runs and spins.
+
+>>> import plategait as pg
+>>> scenario = pg.preset("cheese").scenario
+>>> pg.simulate(scenario).gait  # doctest: +SKIP
+'sliding'
+
+Names are loaded when first used, so that the import is quick.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from plategait.contact import Contact as Contact
+    from plategait.contact import Friction as Friction
+    from plategait.curve import Curve as Curve
+    from plategait.curve import read_curve as read_curve
+    from plategait.curve import spin_curve as spin_curve
+    from plategait.curve import write_curve as write_curve
+    from plategait.errors import InputError as InputError
+    from plategait.lorentz import LorentzFit as LorentzFit
+    from plategait.lorentz import fit_lorentzian as fit_lorentzian
+    from plategait.motion import PlateMotion as PlateMotion
+    from plategait.motion import Samples as Samples
+    from plategait.motion import Wave as Wave
+    from plategait.outline import Disk as Disk
+    from plategait.outline import Ellipse as Ellipse
+    from plategait.outline import Mask as Mask
+    from plategait.outline import Polygon as Polygon
+    from plategait.outline import Rectangle as Rectangle
+    from plategait.presets import PRESETS as PRESETS
+    from plategait.presets import preset as preset
+    from plategait.scenario import Plate as Plate
+    from plategait.scenario import Scenario as Scenario
+    from plategait.scenario import Start as Start
+    from plategait.scenario import read_scenario as read_scenario
+    from plategait.scenario import write_scenario as write_scenario
+    from plategait.sheet import Sheet as Sheet
+    from plategait.simulation import Simulation as Simulation
+    from plategait.simulation import simulate as simulate
+    from plategait.simulation import simulate_all as simulate_all
+    from plategait.version import __version__ as __version__
+
+_HOMES = {
+    "contact": ("Contact", "Friction"),
+    "curve": ("Curve", "read_curve", "spin_curve", "write_curve"),
+    "errors": ("InputError",),
+    "lorentz": ("LorentzFit", "fit_lorentzian"),
+    "motion": ("PlateMotion", "Samples", "Wave"),
+    "outline": ("Disk", "Ellipse", "Mask", "Polygon", "Rectangle"),
+    "presets": ("PRESETS", "preset"),
+    "scenario": ("Plate", "Scenario", "Start", "read_scenario", "write_scenario"),
+    "sheet": ("Sheet",),
+    "simulation": ("Simulation", "simulate", "simulate_all"),
+    "version": ("__version__",),
+}
+_HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
+
+__all__ = sorted(_HOME_OF)  # pyright: ignore[reportUnsupportedDunderAll]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME_OF:
+        raise AttributeError(f"module 'plategait' has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"plategait.{_HOME_OF[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(set(globals()) | set(__all__))

@@ -1,0 +1,210 @@
+"""The command line. Exit status: 0; 1 when it ran and the answer is a failure; 2 for usage or bad input."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from plategait.cli import options, report
+from plategait.errors import InputError
+from plategait.output import check_writable
+from plategait.presets import PRESETS, preset
+from plategait.scenario import write_scenario
+from plategait.units import FREQUENCY
+
+PICTURES = (".png", ".pdf", ".svg")
+
+app = typer.Typer(
+    no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
+    help="Simulates a thin soft object on a vibrating plate: how it slides, walks, runs and spins.",
+)  # fmt: skip
+
+
+@app.command()
+def simulate(
+    scenario: options.ScenarioName = "cheese",
+    sheet: options.Sheet = None,
+    natural_frequency: options.NaturalFrequency = None,
+    frequency: Annotated[str | None, typer.Option("--frequency", help='Plate frequency: "24 Hz".')] = None,
+    angle: options.Angle = None,
+    stroke: options.Stroke = None,
+    mu_s: options.MuS = None,
+    mu_k: options.MuK = None,
+    friction_law: options.Law = None,
+    duration: options.Duration = None,
+    repeats: options.Repeats = 1,
+    seed: options.Seed = 0,
+    dt: options.Dt = None,
+    engine: options.Engine = "cpu",
+    out: Annotated[Path | None, typer.Option("--out", help="Write the run as labelled data: .nc.")] = None,
+    plot: options.Plot = None,
+    film: Annotated[Path | None, typer.Option("--film", help="Write a film: .mp4.")] = None,
+    filmstrip: Annotated[Path | None, typer.Option("--filmstrip", help="Write snapshots over one plate period: .png.")] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Run one scenario: how fast it spins, in which gait, and whether it stays."""
+    from plategait import simulation
+
+    _check_outputs((out, (".nc",), "--out"), (plot, PICTURES, "--plot"), (film, (".mp4",), "--film"), (filmstrip, (".png",), "--filmstrip"))
+    chosen = options.build(
+        scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
+        friction_law=friction_law, duration=duration, dt=dt, frequency=FREQUENCY.read(frequency, "--frequency") if frequency else None,
+    )  # fmt: skip
+    with report.progress_bar("simulating") as progress:
+        result = simulation.simulate(
+            chosen, repeats=repeats, seed=seed, engine=engine, progress=progress,
+            snapshot_interval=simulation.FILM_INTERVAL if out or film or filmstrip else 0.0,
+        )  # fmt: skip
+    _write_pictures(result, out, plot, film, filmstrip)
+    report.print_json(result.summary()) if as_json else report.print_simulation(result)
+    raise typer.Exit(1 if result.failed else 0)
+
+
+@app.command()
+def curve(
+    scenario: options.ScenarioName = "cheese",
+    sheet: options.Sheet = None,
+    natural_frequency: options.NaturalFrequency = None,
+    frequency: Annotated[str, typer.Option("--frequency", help='Plate frequencies, first:last:step: "12:30:1Hz".')] = "12:30:1Hz",
+    angle: options.Angle = None,
+    stroke: options.Stroke = None,
+    mu_s: options.MuS = None,
+    mu_k: options.MuK = None,
+    friction_law: options.Law = None,
+    duration: options.Duration = None,
+    repeats: options.Repeats = 1,
+    seed: options.Seed = 0,
+    dt: options.Dt = None,
+    engine: options.Engine = "cpu",
+    out: Annotated[Path | None, typer.Option("--out", help="Write the curve: .csv.")] = None,
+    plot: options.Plot = None,
+    as_json: options.Json = False,
+) -> None:
+    """Spin rate over a range of plate frequencies, with gaits, failures and the Lorentz fit."""
+    from plategait.curve import parse_frequencies, spin_curve, write_curve
+
+    _check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
+    chosen = options.build(
+        scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
+        friction_law=friction_law, duration=duration, dt=dt,
+    )  # fmt: skip
+    with report.progress_bar("simulating") as progress:
+        result = spin_curve(chosen, parse_frequencies(frequency), repeats=repeats, seed=seed, engine=engine, progress=progress)
+    if out:
+        write_curve(result, out)
+    _plot_curve(result, plot)
+    report.print_json(result.summary()) if as_json else report.print_curve(result)
+    raise typer.Exit(0 if result.fit else 1)
+
+
+@app.command()
+def fit(
+    curve_file: Annotated[Path, typer.Argument(metavar="CURVE.csv", help="Columns frequency_hz, spin_rate_deg_s, …")],
+    plot: options.Plot = None,
+    as_json: options.Json = False,
+) -> None:
+    """Fit the Lorentz function (5.5) to a spin curve; failed points are left out."""
+    from plategait.curve import fit_curve, fit_summary, read_curve
+
+    _check_outputs((plot, PICTURES, "--plot"))
+    result = fit_curve(read_curve(curve_file))
+    _plot_curve(result, plot)
+    if as_json:
+        report.print_json(fit_summary(result.fit) | {"no_fit": result.no_fit or None})
+    else:
+        report.print_fit(result.fit, result.no_fit)
+    raise typer.Exit(0 if result.fit else 1)
+
+
+@app.command()
+def modes(
+    scenario: options.ScenarioName = "cheese",
+    sheet: options.Sheet = None,
+    natural_frequency: options.NaturalFrequency = None,
+    count: Annotated[int, typer.Option("--count", help="How many to print.", min=1)] = 8,
+    plot: options.Plot = None,
+    as_json: options.Json = False,
+) -> None:
+    """Free-vibration modes of a sheet; the dish mode is the dissertation's natural frequency."""
+    _check_outputs((plot, PICTURES, "--plot"))
+    chosen = options.build(scenario, sheet=sheet, natural_frequency=natural_frequency).sheet
+    found = chosen.free_modes
+    if plot:
+        from plategait.plots import plot_modes, save
+
+        save(plot_modes(chosen), plot)
+    if not as_json:
+        return report.print_modes(chosen.name, found, count)
+    keys = ("omega", "frequency", "damping_ratio", "name")
+    report.print_json({"sheet": chosen.name, "modes": [{_MODE_KEYS[k]: getattr(m, k) for k in keys} for m in found.modes[:count]]})
+
+
+_MODE_KEYS = {"omega": "omega_rad_s", "frequency": "frequency_hz", "damping_ratio": "damping_ratio", "name": "name"}
+
+
+@app.command(name="scenario")
+def scenario_command(
+    name: Annotated[str | None, typer.Argument(metavar="[FILE]", help="A scenario file to check.")] = None,
+    shown: Annotated[str | None, typer.Option("--print", help="Print this preset as a commented TOML file.")] = None,
+    as_json: options.Json = False,
+) -> None:
+    """List the presets, print one as a commented TOML file, or check a scenario file."""
+    if shown is not None:
+        found = preset(shown)
+        print(f"# {found.summary}\n\n" + write_scenario(found.scenario, found.notes), end="")
+    elif name is not None:
+        checked = options.load(name)
+        facts = {"scenario": checked.name, "nodes": checked.sheet.lattice.n_nodes, "dt_s": checked.dt, "duration_s": checked.duration}
+        report.print_json(facts) if as_json else print(f"{name}: {checked.name}, {checked.sheet.lattice.n_nodes} nodes, step {checked.dt:.3g} s")
+    elif as_json:
+        report.print_json({n: {"summary": preset(n).summary, "published": preset(n).published, "inferred": preset(n).inferred} for n in PRESETS})
+    else:
+        for each in PRESETS:
+            print(f"{each:18}{preset(each).summary}")
+
+
+def _check_outputs(*outputs: tuple[Path | None, tuple[str, ...], str]) -> None:
+    """Refuse files that cannot be written before any work is done."""
+    for path, suffixes, option in outputs:
+        if path is not None:
+            check_writable(path, suffixes, option)
+
+
+def _write_pictures(result, out: Path | None, plot: Path | None, film: Path | None, filmstrip: Path | None) -> None:  # noqa: ANN001
+    if out:
+        from plategait.dataset import write_dataset
+
+        write_dataset(result, out)
+    if plot:
+        from plategait.plots import plot_run, save
+
+        save(plot_run(result), plot)
+    if film or filmstrip:
+        from plategait import render
+
+        if film:
+            render.film(result.scenario, result.recordings[0], film)
+        if filmstrip:
+            render.filmstrip(result.scenario, result.recordings[0], filmstrip)
+
+
+def _plot_curve(result, plot: Path | None) -> None:  # noqa: ANN001
+    if plot:
+        from plategait.plots import plot_curve, save
+
+        save(plot_curve(result), plot)
+
+
+def main() -> None:
+    """Run the command line; bad input is one line on standard error."""
+    try:
+        app()
+    except InputError as error:
+        print(f"plategait: {error}", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        print("plategait: interrupted, nothing written", file=sys.stderr)
+        sys.exit(130)

@@ -1,0 +1,88 @@
+"""Options that the commands share, and the scenario that they add up to."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from plategait.errors import InputError
+from plategait.presets import PRESETS, preset
+from plategait.scenario import Scenario, read_scenario
+from plategait.units import ANGLE, ANGULAR_FREQUENCY, STROKE, Quantity
+
+_STEP = Quantity("s", "s", "1e-4 s", above=0)
+_DURATION = Quantity("s", "s", "4 s", above=0)
+_COEFFICIENT = Quantity("", "", "0.75", at_least=0)
+
+ScenarioName = Annotated[str, typer.Argument(metavar="[SCENARIO]", help=f"A TOML file, or one of {', '.join(PRESETS)}.")]
+Sheet = Annotated[str | None, typer.Option("--sheet", help="Take the sheet of this preset or scenario file instead.")]
+NaturalFrequency = Annotated[
+    str | None, typer.Option("--natural-frequency", help='Scale the bending stiffness to this dish mode: "10 pi rad/s", "5 Hz".')
+]
+Angle = Annotated[str | None, typer.Option("--angle", help='Angular amplitude A_p of the plate: "3 deg".')]
+Stroke = Annotated[str | None, typer.Option("--stroke", help='Linear amplitude B_p of the plate: "3 mm".')]
+MuS = Annotated[str | None, typer.Option("--mu-s", help="Static friction. The kinetic one keeps its ratio to it unless given.")]
+MuK = Annotated[str | None, typer.Option("--mu-k", help="Kinetic friction, at most the static one.")]
+Law = Annotated[str | None, typer.Option("--friction-law", help='"thesis" (step at V) or "adams" (smooth).')]
+Duration = Annotated[str | None, typer.Option("--duration", help='Simulated time: "4 s".')]
+Repeats = Annotated[int, typer.Option("--repeats", help="Runs from slightly different starts; mean and spread are reported.")]
+Seed = Annotated[int, typer.Option("--seed", help="Of the different starts.")]
+Dt = Annotated[str | None, typer.Option("--dt", help='Time step: "1e-4 s". Chosen from the stiffness if left out.')]
+Engine = Annotated[str, typer.Option("--engine", help="cpu (single precision) or cpu64 (double).")]
+Plot = Annotated[Path | None, typer.Option("--plot", help="Write a plot: .png, .pdf or .svg.")]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
+
+
+def load(name: str) -> Scenario:
+    """Scenario of a preset's name or a file."""
+    if name in PRESETS:
+        return preset(name).scenario
+    if not Path(name).suffix and not Path(name).exists():
+        raise InputError("scenario", name, f"a TOML file or one of {', '.join(PRESETS)}", "cheese")
+    return read_scenario(name)
+
+
+def build(
+    name: str,
+    *,
+    sheet: str | None = None,
+    natural_frequency: str | None = None,
+    frequency: float | None = None,
+    angle: str | None = None,
+    stroke: str | None = None,
+    mu_s: str | None = None,
+    mu_k: str | None = None,
+    friction_law: str | None = None,
+    duration: str | None = None,
+    dt: str | None = None,
+) -> Scenario:
+    """Scenario with the options of the command line laid over it, each read under its option's name."""
+    scenario = load(name)
+    changes: dict[str, Any] = {}
+    if sheet is not None:
+        changes["sheet"] = load(sheet).sheet
+    if natural_frequency is not None:
+        omega = ANGULAR_FREQUENCY.read(natural_frequency, "--natural-frequency")
+        changes["sheet"] = changes.get("sheet", scenario.sheet).with_natural_frequency(omega)
+    if frequency is not None:
+        changes["motion.frequency"] = frequency
+    if angle is not None:
+        changes["motion.angle"] = ANGLE.read(angle, "--angle")
+    if stroke is not None:
+        changes["motion.stroke"] = STROKE.read(stroke, "--stroke")
+    if mu_s is not None:
+        changes["friction.static"] = _COEFFICIENT.read(mu_s, "--mu-s")
+        changes["friction.kinetic"] = changes["friction.static"] * scenario.friction.ratio
+    if mu_k is not None:
+        changes["friction.kinetic"] = _COEFFICIENT.read(mu_k, "--mu-k")
+    if friction_law is not None:
+        changes["friction.law"] = friction_law
+    if duration is not None:
+        changes["duration"] = _DURATION.read(duration, "--duration")
+        if scenario.transient is not None and scenario.transient >= changes["duration"]:
+            changes["transient"] = None
+    if dt is not None:
+        changes["time_step"] = _STEP.read(dt, "--dt")
+    return scenario.replace(**changes) if changes else scenario

@@ -1,0 +1,129 @@
+"""What the commands print: a table for people, one JSON object for programs, progress for the patient."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from plategait.curve import Curve
+from plategait.lorentz import LorentzFit
+from plategait.modes import Modes
+from plategait.simulation import Simulation
+
+# Work shorter than this shows no progress bar, s.
+_PATIENCE = 1.0
+
+
+def print_json(numbers: dict[str, Any]) -> None:
+    """Print one JSON object."""
+    print(json.dumps(numbers, indent=2, ensure_ascii=False))
+
+
+def _table(title: str, columns: list[str], rows: list[list[str]]) -> None:
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD)
+    for i, column in enumerate(columns):
+        table.add_column(column, justify="left" if i == 0 else "right")
+    for row in rows:
+        table.add_row(*row)
+    # A pipe has no width: leave room enough that nothing is folded.
+    Console(width=None if sys.stdout.isatty() else 120).print(table)
+
+
+def _number(value: float | None, digits: int = 1) -> str:
+    return "–" if value is None or not math.isfinite(value) else f"{value:.{digits}f}"
+
+
+def print_simulation(simulation: Simulation) -> None:
+    """Print what one simulation shows."""
+    s, o = simulation.summary(), simulation.scenario
+    low, high = s["spin_rate_interval_deg_s"]
+    spread = f" ± {_number(s['spin_rate_sd_deg_s'])} over {s['runs']} runs" if s["runs"] > 1 else ""
+    rows = [
+        ["spin rate", f"{_number(s['spin_rate_deg_s'])} deg/s{spread}"],
+        ["95 % interval", f"{_number(low)} to {_number(high)} deg/s"],
+        ["settled", "yes" if s["settled"] else "no"],
+        ["gait", s["gait"] or "–"],
+        ["failure", f"{s['failure']} at {s['failure_time_s']:.2f} s" if s["failed"] else "none"],
+        ["drift of the centre", f"{_number(s['drift_mm'])} mm"],
+        ["nodes in contact", f"{_number(100 * (s['contact_fraction'] or 0))} %"],
+        ["time in flight", f"{_number(100 * (s['flight_fraction'] or 0))} %"],
+        ["bending amplitude", f"{_number(s['bending_amplitude_deg'])} deg per joint"],
+        ["plate power", f"{_number(s['plate_power_mw'])} mW"],
+        ["energy unaccounted for", f"{100 * (s['energy_residual'] or 0):.2g} % of the work"],
+        ["time step", f"{s['dt_s']:.3g} s, {s['steps']} steps"],
+        ["speed", f"{_number(s['simulated_s_per_wall_s'])} simulated seconds per second"],
+    ]
+    motion = o.motion
+    _table(f"{o.name}: {motion.frequency:g} Hz, A_p {math.degrees(motion.angle):.3g} deg, B_p {1e3 * motion.stroke:.3g} mm", ["", ""], rows)
+
+
+def print_curve(curve: Curve) -> None:
+    """Print a curve point by point, and its fit."""
+    rows = []
+    for i, frequency in enumerate(curve.frequency_hz):
+        rows.append([
+            f"{frequency:g}", _number(curve.spin_rate_deg_s[i]), _number(curve.spin_rate_sd_deg_s[i]),
+            curve.gait[i] or "–", curve.failure[i] or "–",
+        ])  # fmt: skip
+    _table(f"{curve.name}: spin rate over plate frequency", ["Hz", "deg/s", "sd", "gait", "failure"], rows)
+    print_fit(curve.fit, curve.no_fit)
+
+
+def print_fit(fit: LorentzFit | None, no_fit: str) -> None:
+    """Print a Lorentz fit, or why there is none."""
+    if fit is None:
+        print(f"no Lorentz fit: {no_fit}")
+        return
+    rows = [
+        [name, f"{value:.2f} {unit}", f"{low:.2f} to {high:.2f}"]
+        for name, value, unit, (low, high) in (
+            ("f0", fit.f0_hz, "Hz", fit.f0_interval),
+            ("half width b", fit.half_width_hz, "Hz", fit.half_width_interval),
+            ("peak", fit.peak, "deg/s", fit.peak_interval),
+        )
+    ]
+    _table(f"Lorentz fit of {fit.n_points} points, R² = {fit.r2:.3f}", ["", "value", "95 % interval"], rows)
+
+
+def print_modes(title: str, modes: Modes, count: int) -> None:
+    """Print free-vibration modes."""
+    rows = [
+        [str(i), m.name or "–", f"{m.omega / math.pi:.2f} π", f"{m.frequency:.2f}", f"{m.damping_ratio:.3f}"]
+        for i, m in enumerate(modes.modes[:count], start=1)
+    ]
+    _table(f"{title}: free-vibration modes", ["mode", "shape", "rad/s", "Hz", "damping ratio"], rows)
+
+
+@contextmanager
+def progress_bar(what: str) -> Iterator[Any]:
+    """Yield a callable that takes the fraction done, and shows a bar on a terminal once the work has taken a second."""
+    begun = time.monotonic()
+    bar: Any = None
+    task: Any = None
+
+    def report(fraction: float) -> None:
+        nonlocal bar, task
+        if bar is None and sys.stderr.isatty() and time.monotonic() - begun > _PATIENCE:
+            from rich.console import Console
+            from rich.progress import Progress
+
+            bar = Progress(console=Console(stderr=True), transient=True)
+            task = bar.add_task(what, total=1.0)
+            bar.start()
+        if bar is not None:
+            bar.update(task, completed=fraction)
+
+    try:
+        yield report
+    finally:
+        if bar is not None:
+            bar.stop()

@@ -1,0 +1,204 @@
+"""Spin curves: spin rate over plate frequency, simulated or measured, with their Lorentz fit (section 5.3)."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plategait.errors import InputError
+from plategait.lorentz import LorentzFit, fit_lorentzian
+from plategait.observables import GAITS
+from plategait.output import whole_file
+from plategait.scenario import Scenario
+from plategait.simulation import Simulation, simulate_all
+from plategait.units import FREQUENCY
+
+COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure")
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """Spin rate over plate frequency.
+
+    Attributes
+    ----------
+    name : str
+    frequency_hz, spin_rate_deg_s, spin_rate_sd_deg_s : (n,) arrays
+        NaN where nothing was measured or no spread is known.
+    gait, failure : tuple of str
+        Empty where unknown, or where nothing failed.
+    fit : LorentzFit or None
+        Of the points that did not fail; in deg/s and Hz.
+    no_fit : str
+        Why there is no fit.
+    simulations : tuple of Simulation
+        Behind each point; empty for a measured curve.
+    """
+
+    name: str
+    frequency_hz: NDArray[np.float64]
+    spin_rate_deg_s: NDArray[np.float64]
+    spin_rate_sd_deg_s: NDArray[np.float64]
+    gait: tuple[str, ...]
+    failure: tuple[str, ...]
+    fit: LorentzFit | None = None
+    no_fit: str = ""
+    simulations: tuple[Simulation, ...] = ()
+
+    def summary(self) -> dict[str, Any]:
+        """Plain numbers for `--json`: the fit, and every point."""
+        numbers = fit_summary(self.fit) | {"no_fit": self.no_fit or None}
+        if self.simulations:
+            return numbers | {"points": [s.summary() for s in self.simulations]}
+        points = zip(self.frequency_hz, self.spin_rate_deg_s, self.gait, self.failure, strict=True)
+        return numbers | {
+            "points": [
+                {"frequency_hz": f, "spin_rate_deg_s": r if math.isfinite(r) else None, "gait": g or None, "failure": x or None}
+                for f, r, g, x in points
+            ]
+        }
+
+
+def fit_summary(fit: LorentzFit | None) -> dict[str, Any]:
+    """Plain numbers of a Lorentz fit; None where there is none."""
+    names = {"f0_hz": "f0_hz", "half_width_hz": "half_width_hz", "peak_deg_s": "peak", "r2": "r2"}
+    numbers: dict[str, Any] = {key: getattr(fit, name) if fit else None for key, name in names.items()}
+    for key, name in (("f0_hz", "f0_interval"), ("half_width_hz", "half_width_interval"), ("peak_deg_s", "peak_interval")):
+        numbers[f"{key}_interval"] = list(getattr(fit, name)) if fit else None
+    return numbers
+
+
+def fit_curve(curve: Curve) -> Curve:
+    """Same curve with the Lorentz fit (5.5) of its points, failed runs left out; or with the reason why there is none."""
+    kept = np.array([not failure for failure in curve.failure]) & np.isfinite(curve.spin_rate_deg_s)
+    try:
+        fit = fit_lorentzian(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept])
+    except InputError as error:
+        return replace(curve, fit=None, no_fit=str(error))
+    return replace(curve, fit=fit, no_fit="")
+
+
+def spin_curve(
+    scenario: Scenario, frequencies: Sequence[float], *, progress: Callable[[float], object] | None = None, **options: Any
+) -> Curve:
+    """Simulate a spin curve and fit it.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Run at each frequency in turn.
+    frequencies : sequence of float
+        Hz.
+    **options
+        See `plategait.simulation.simulate_all`.
+    """
+    scenarios = [scenario.replace(**{"motion.frequency": float(f)}) for f in frequencies]
+    simulations = simulate_all(scenarios, progress=progress, **options)
+    points = [s.summary() for s in simulations]
+
+    def column(name: str) -> NDArray[np.float64]:
+        return np.array([math.nan if p[name] is None else p[name] for p in points])
+
+    return fit_curve(
+        Curve(
+            name=scenario.name,
+            frequency_hz=np.array(frequencies, dtype=float),
+            spin_rate_deg_s=column("spin_rate_deg_s"),
+            spin_rate_sd_deg_s=column("spin_rate_sd_deg_s"),
+            gait=tuple(p["gait"] or "" for p in points),
+            failure=tuple(p["failure"] or "" for p in points),
+            simulations=tuple(simulations),
+        )
+    )
+
+
+def parse_frequencies(text: str) -> list[float]:
+    """Read "12:30:1Hz" (first:last:step, both ends included), or "12, 14.5, 20 Hz", into Hz.
+
+    Raises
+    ------
+    InputError
+        When it says anything else.
+    """
+    separator = ":" if ":" in text else ","
+    parts = [part.strip() for part in text.split(separator)]
+    unit = parts[-1].lstrip("0123456789.eE+- ")
+    try:
+        numbers = [FREQUENCY.read(part if part.endswith(unit) and unit else f"{part}{unit}", "frequency") for part in parts]
+    except InputError:
+        numbers = []
+    if separator == ":" and len(numbers) == 3 and numbers[1] >= numbers[0]:
+        first, last, step = numbers
+        if (last - first) / step > 1e5:
+            numbers = []
+        else:
+            return [round(first + i * step, 9) for i in range(math.floor((last - first) / step + 1e-6) + 1)]
+    if separator == "," and numbers:
+        return numbers
+    raise InputError("frequency", text, "first:last:step with a unit, last not below first", '"12:30:1Hz"')
+
+
+def write_curve(curve: Curve, path: Path | str) -> None:
+    """Write a curve as CSV with the columns of `COLUMNS`, whole or not at all."""
+    with whole_file(path, (".csv",), "out") as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(COLUMNS)
+        columns = (curve.frequency_hz, curve.spin_rate_deg_s, curve.spin_rate_sd_deg_s, curve.gait, curve.failure)
+        for row in zip(*columns, strict=True):
+            writer.writerow([v if isinstance(v, str) else f"{v:.10g}" if math.isfinite(v) else "" for v in row])
+
+
+def read_curve(path: Path | str) -> Curve:
+    """Read a curve from CSV: frequency_hz, spin_rate_deg_s and, where known, spin_rate_sd_deg_s, gait, failure.
+
+    Empty cells are points without that knowledge.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, lacks a column, or holds what is no number; names the line.
+    """
+    path = Path(path)
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            rows = list(csv.DictReader(file))
+    except (OSError, UnicodeDecodeError, csv.Error):
+        raise InputError("curve", str(path), "a CSV file that can be read", "plategait curve cheese --out curve.csv") from None
+    found = [c for c in (rows[0] if rows else {}) if c is not None]
+    if not {"frequency_hz", "spin_rate_deg_s"} <= set(found):
+        raise InputError("curve", f"columns {', '.join(found) or 'none'}", "frequency_hz and spin_rate_deg_s, with rows below them",
+                         "a first line frequency_hz,spin_rate_deg_s")  # fmt: skip
+
+    def number(row: dict[str, str | None], column: str, line: int) -> float:
+        text = (row.get(column) or "").strip()
+        try:
+            value = float(text) if text else math.nan
+        except ValueError:
+            value = math.inf
+        missing_frequency = column == "frequency_hz" and not value > 0
+        if math.isinf(value) or missing_frequency or (math.isnan(value) and text):
+            allowed = "a number above 0" if column == "frequency_hz" else "a number, or empty"
+            raise InputError(f"{path.name} line {line}, {column}", text or "nothing", allowed, "24.0")
+        return value
+
+    def numbers(column: str) -> NDArray[np.float64]:
+        return np.array([number(row, column, i) for i, row in enumerate(rows, start=2)])
+
+    gait = tuple((row.get("gait") or "").strip() for row in rows)
+    if unknown := set(gait) - {"", *GAITS}:
+        raise InputError("gait", unknown.pop(), f"one of {', '.join(GAITS)}, or empty", "walking")
+    return Curve(
+        name=path.stem,
+        frequency_hz=numbers("frequency_hz"),
+        spin_rate_deg_s=numbers("spin_rate_deg_s"),
+        spin_rate_sd_deg_s=numbers("spin_rate_sd_deg_s") if "spin_rate_sd_deg_s" in found else np.full(len(rows), math.nan),
+        gait=gait,
+        failure=tuple((row.get("failure") or "").strip() for row in rows),
+    )

@@ -1,0 +1,118 @@
+"""Runs as labelled data that any xarray user opens with one line."""
+
+from __future__ import annotations
+
+import json
+import platform
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from plategait.output import whole_file
+from plategait.scenario import write_scenario
+from plategait.version import __version__
+
+if TYPE_CHECKING:
+    import xarray
+
+    from plategait.simulation import Simulation
+
+_LONG_NAMES = {
+    "centre_x": ("centre of mass along the bar, plate frame", "m"),
+    "centre_y": ("centre of mass across the bar, plate frame", "m"),
+    "centre_z": ("centre of mass above the plate", "m"),
+    "spin_cross": ("sum of X0 × p over the nodes", "m^2"),
+    "spin_dot": ("sum of X0 · p over the nodes", "m^2"),
+    "area_x": ("area vector over the area at rest, along the bar", "1"),
+    "area_y": ("area vector over the area at rest, across the bar", "1"),
+    "area_z": ("area vector over the area at rest, along the plate's normal", "1"),
+    "left_contact": ("share of the time since the last sample in which the left leg touches", "1"),
+    "right_contact": ("share of the time since the last sample in which the right leg touches", "1"),
+    "flight": ("share of the time since the last sample in which nothing touches", "1"),
+    "contact": ("mean share of the nodes that touch", "1"),
+    "bend_rms": ("root-mean-square angle of the bending joints", "rad"),
+    "height_low": ("lowest node above the plate", "m"),
+    "height_high": ("highest node above the plate", "m"),
+    "kinetic_energy": ("kinetic energy", "J"),
+    "gravity_energy": ("potential energy", "J"),
+    "axial_energy": ("energy of the axial joints", "J"),
+    "bending_energy": ("energy of the bending joints", "J"),
+    "torsion_energy": ("energy of the torsion joints", "J"),
+    "contact_energy": ("energy stored in the contact", "J"),
+    "joint_loss": ("energy lost in the joints since the last sample", "J"),
+    "contact_work": ("energy put into the contact since the last sample", "J"),
+    "friction_loss": ("energy lost to friction since the last sample", "J"),
+    "plate_work": ("work of the plate since the last sample", "J"),
+    "plate_x": ("plate position along the bar", "m"),
+    "plate_y": ("plate position across the bar", "m"),
+    "plate_z": ("plate height", "m"),
+    "plate_rx": ("plate rotation about the bar", "rad"),
+    "plate_ry": ("plate rotation about y", "rad"),
+    "plate_rz": ("plate rotation about z", "rad"),
+}
+
+
+def dataset_of(simulation: Simulation) -> xarray.Dataset:
+    """Samples, shapes and summary of every run of a simulation.
+
+    Dimensions are ``run``, ``sample``, and with snapshots ``snapshot``, ``node``, ``axis``. Where runs ended early the
+    rest is NaN. The attributes hold the scenario (TOML), the summary (JSON), version, engine, time step, seed and
+    platform.
+    """
+    import xarray
+
+    longest = max(simulation.recordings, key=lambda r: len(r["time"]))
+    n_samples = len(longest["time"])
+
+    def padded(values: np.ndarray, length: int) -> np.ndarray:
+        out = np.full((length, *values.shape[1:]), np.nan)
+        out[: len(values)] = values
+        return out
+
+    variables: dict[str, object] = {}
+    for name, (meaning, unit) in _LONG_NAMES.items():
+        series = np.stack([padded(r[name], n_samples) for r in simulation.recordings])
+        variables[name] = (("run", "sample"), series, {"long_name": meaning, "units": unit})
+    coordinates: dict[str, object] = {
+        "time": (("sample",), longest["time"], {"long_name": "time", "units": "s"}),
+        "run": np.arange(len(simulation.recordings)),
+    }
+    if len(longest.snapshots):
+        most = max(simulation.recordings, key=lambda r: len(r.snapshots))
+        shapes = np.stack([padded(r.snapshots, len(most.snapshots)) for r in simulation.recordings])
+        poses = np.stack([padded(r.plate_pose, len(most.snapshots)) for r in simulation.recordings])
+        variables["position"] = (("run", "snapshot", "node", "axis"), shapes, {"long_name": "node position, world frame", "units": "m"})
+        variables["plate_pose"] = (("run", "snapshot", "degree_of_freedom"), poses, {"long_name": "x, y, z (m), rx, ry, rz (rad)"})
+        coordinates["snapshot_time"] = (("snapshot",), most.snapshot_time, {"units": "s"})
+        coordinates["axis"] = ["x", "y", "z"]
+    for name, values, unit in (
+        ("spin_rate", [o.spin.rate for o in simulation.observations], "rad/s"),
+        ("drift", [o.drift for o in simulation.observations], "m"),
+    ):
+        variables[name] = (("run",), np.array(values), {"units": unit})
+    variables["gait"] = (("run",), np.array([o.gait for o in simulation.observations]))
+    variables["failure"] = (("run",), np.array([o.failure.kind if o.failure else "" for o in simulation.observations]))
+    attributes = {
+        "title": simulation.scenario.name,
+        "scenario": write_scenario(simulation.scenario),
+        "summary": json.dumps(simulation.summary()),
+        "plategait_version": __version__,
+        "engine": simulation.engine,
+        "dt_s": simulation.recordings[0].dt,
+        "seed": simulation.seed,
+        "platform": f"{platform.system()} {platform.machine()}",
+    }
+    return xarray.Dataset(variables, coordinates, attributes)
+
+
+def write_dataset(simulation: Simulation, path: Path | str) -> None:
+    """Write a simulation to a netCDF file, whole or not at all.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
+    with whole_file(path, (".nc",), "out") as temporary:
+        dataset_of(simulation).to_netcdf(temporary, engine="h5netcdf")

@@ -1,0 +1,1 @@
+"""Engines: each takes prepared runs and gives recordings of them."""

@@ -1,0 +1,98 @@
+"""What an engine takes and gives back: plain arrays, the same for every engine."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plategait.scenario import Scenario
+
+# A plate period holds this many samples, and none is further from the next than the longest interval.
+SAMPLES_PER_PERIOD = 24
+LONGEST_SAMPLE_INTERVAL = 2e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One run to make: a scenario, and how its start differs from the nominal one.
+
+    Attributes
+    ----------
+    offset : (x, y, angle)
+        Added to the scenario's start, m and rad.
+    snapshot_interval : float
+        Time between recorded shapes, s; 0 records none.
+    """
+
+    scenario: Scenario
+    offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    snapshot_interval: float = 0.0
+
+    @property
+    def steps(self) -> int:
+        """Steps to take."""
+        return max(1, round(self.scenario.duration / self.scenario.dt))
+
+    @property
+    def stride(self) -> int:
+        """Steps between samples."""
+        interval = min(LONGEST_SAMPLE_INTERVAL, self.scenario.motion.period / SAMPLES_PER_PERIOD)
+        return max(1, round(interval / self.scenario.dt))
+
+    @property
+    def thinning(self) -> int:
+        """Samples between snapshots, 0 for none."""
+        if self.snapshot_interval <= 0:
+            return 0
+        return max(1, round(self.snapshot_interval / (self.stride * self.scenario.dt)))
+
+    def positions(self) -> NDArray[np.float64]:
+        """(n_nodes, 3) node positions at the start, m: flat, at the depth where the plate carries the weight."""
+        s = self.scenario
+        x, y, angle = (a + b for a, b in zip((s.start.x, s.start.y, s.start.angle), self.offset, strict=True))
+        rest = s.sheet.lattice.rest * s.sheet.pitch
+        turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+        depth = s.contact.static_depth(s.sheet.node_mass, s.sheet.pitch, s.gravity)
+        return np.column_stack([rest @ turn + (x, y), np.full(len(rest), -depth)])
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """What a run left behind.
+
+    Attributes
+    ----------
+    channels : mapping of str to (n_samples,) array
+        Time series by name, SI; see `native/parameters.hpp` for what each holds.
+    snapshot_time : (n_snapshots,) array
+        s.
+    snapshots : (n_snapshots, n_nodes, 3) array
+        Node positions in the world frame, m.
+    plate_pose : (n_snapshots, 6) array
+        Plate translations and rotations at the snapshots, m and rad.
+    positions, velocities : (n_nodes, 3) arrays
+        At the end, m and m/s.
+    dt : float
+        Time step, s.
+    steps : int
+        Steps taken; fewer than asked when the run diverged.
+    diverged : bool
+        Whether the motion ceased to be finite.
+    """
+
+    channels: Mapping[str, NDArray[np.float64]]
+    snapshot_time: NDArray[np.float64]
+    snapshots: NDArray[np.float32]
+    plate_pose: NDArray[np.float64]
+    positions: NDArray[np.float64]
+    velocities: NDArray[np.float64]
+    dt: float
+    steps: int
+    diverged: bool
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        """One time series by name."""
+        return self.channels[name]

@@ -1,0 +1,140 @@
+"""How the plate moves: sines on each degree of freedom, or a sampled trajectory, with a smooth start."""
+
+from __future__ import annotations
+
+import csv
+import math
+from fractions import Fraction
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, field_validator, model_validator
+
+from plategait.errors import InputError
+from plategait.model import Model
+from plategait.units import ANGLE, STROKE, Angle, Delay, Frequency, Offset, Ratio
+
+AXES = ("x", "y", "z", "rx", "ry", "rz")
+Axis = Literal["x", "y", "z", "rx", "ry", "rz"]
+
+
+class Wave(Model):
+    """One sine on one degree of freedom: amplitude · sin(2π · ratio · f · t + phase)."""
+
+    axis: Axis = Field(description="x (along the bar), y, z, or a rotation rx (about the bar), ry, rz")
+    amplitude: float = Field(description="length on x, y, z; angle on rx, ry, rz")
+    ratio: Ratio = Field(default=1.0, description="frequency over the motion's frequency")
+    phase: Angle = Field(default=0.0, description="phase at the start")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _amplitude_by_axis(cls, data: Any) -> Any:
+        if isinstance(data, dict) and "amplitude" in data and data.get("axis") in AXES:
+            quantity = ANGLE if data["axis"].startswith("r") else STROKE
+            return {**data, "amplitude": quantity.read(data["amplitude"], "amplitude")}
+        return data
+
+
+class Samples(Model):
+    """A trajectory given point by point; missing axes stay put, and the last pose is kept. SI units."""
+
+    time: tuple[float, ...]
+    x: tuple[float, ...] = ()
+    y: tuple[float, ...] = ()
+    z: tuple[float, ...] = ()
+    rx: tuple[float, ...] = ()
+    ry: tuple[float, ...] = ()
+    rz: tuple[float, ...] = ()
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Samples:
+        time = np.array(self.time)
+        if len(time) < 2 or not np.isfinite(time).all() or (np.diff(time) <= 0).any() or time[0] != 0:
+            raise InputError("time", f"{len(time)} values", "2 or more finite times that rise from 0 s", "[0.0, 0.01, 0.02]")
+        for axis in AXES:
+            values = getattr(self, axis)
+            if values and (len(values) != len(time) or not np.isfinite(values).all()):
+                raise InputError(axis, f"{len(values)} values", f"{len(time)} finite values, one for each time", "values of equal length")
+        return self
+
+    def knots(self, step: float) -> NDArray[np.float64]:
+        """(n, 12) position and speed on each axis every `step` seconds, from a cubic spline, to one knot past the end."""
+        from scipy.interpolate import CubicSpline
+
+        time = np.arange(0, self.time[-1] + 2 * step, step)
+        within = np.minimum(time, self.time[-1])
+        table = np.zeros((len(time), 12))
+        for d, axis in enumerate(AXES):
+            if values := getattr(self, axis):
+                spline = CubicSpline(self.time, values, bc_type="natural")
+                table[:, 2 * d] = spline(within)
+                table[:, 2 * d + 1] = np.where(time < self.time[-1], spline(within, 1), 0.0)
+        return table
+
+    @property
+    def finest_step(self) -> float:
+        """Shortest time between two samples, s."""
+        return float(np.diff(self.time).min())
+
+
+def read_samples(path: Path) -> Samples:
+    """Read a trajectory from CSV with the columns time_s and any of x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, or a column or number is not as said.
+    """
+    scale = {"time_s": 1.0} | {f"{a}_deg" if a.startswith("r") else f"{a}_mm": math.pi / 180 if a.startswith("r") else 1e-3 for a in AXES}
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+    except (OSError, UnicodeDecodeError):
+        raise InputError("samples", str(path), "a CSV file that can be read", '"motion.csv"') from None
+    columns = list(rows[0]) if rows else []
+    if "time_s" not in columns or not set(columns) <= set(scale):
+        raise InputError("samples", f"columns {', '.join(map(str, columns)) or 'none'}", f"time_s and any of {', '.join(list(scale)[1:])}",
+                         "a first line such as time_s,x_mm,rx_deg")  # fmt: skip
+    try:
+        return Samples(**{c.split("_")[0]: tuple(float(row[c]) * scale[c] for row in rows) for c in columns})
+    except (TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError("samples", str(path), "numbers in every row", "a file without gaps") from None
+
+
+class PlateMotion(Model):
+    """Motion of the plate. The short form is (4.1), (4.2): Θ(t) = −A_p sin ω_p t about the bar, X(t) = B_p sin ω_p t.
+
+    The rotation is Rx(Θx) Ry(Θy) Rz(Θz), about the bar axis through the plate's middle. `waves` add to the short form,
+    and `samples` to both.
+    """
+
+    frequency: Frequency = Field(default=24.0, description="f_p, of the sines")
+    angle: Angle = Field(default=math.radians(3), description="A_p, angular amplitude about the bar")
+    stroke: Offset = Field(default=0.003, description="B_p, linear amplitude along the bar")
+    ramp: Delay = Field(default=0.1, description="duration of the smooth start")
+    waves: tuple[Wave, ...] = Field(default=(), description="further sines, on any axis")
+    samples: Samples | None = Field(default=None, description="CSV file of a sampled trajectory")
+
+    @field_validator("samples", mode="before")
+    @classmethod
+    def _read_file(cls, value: Any) -> Any:
+        return read_samples(Path(value)) if isinstance(value, (str, Path)) else value
+
+    def terms(self) -> list[tuple[int, float, float, float]]:
+        """Sines as (degree of freedom, amplitude, frequency in Hz, phase in turns)."""
+        short = [Wave(axis="x", amplitude=self.stroke), Wave(axis="rx", amplitude=-self.angle)]
+        return [
+            (AXES.index(w.axis), w.amplitude, w.ratio * self.frequency, w.phase / (2 * math.pi))
+            for w in (*short, *self.waves)
+            if w.amplitude != 0
+        ]
+
+    @property
+    def period(self) -> float:
+        """Time after which the sines repeat, s: that of the frequency, or a multiple where ratios are not whole."""
+        denominators = [Fraction(w.ratio).limit_denominator(12).denominator for w in self.waves]
+        return math.lcm(1, *denominators) / self.frequency

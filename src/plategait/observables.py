@@ -1,0 +1,242 @@
+"""What a motion shows: spin rate, gait, failure, drift, contact, bending, energy.
+
+All take plain arrays of samples, so simulated runs and tracked videos go through the same code.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Series = NDArray[np.float64]
+
+GAITS = ("sliding", "walking", "running")
+FAILURES = ("slipped", "turned over", "folded", "left the plate", "diverged")
+
+# A leg counts as off the plate in a period when it is so for longer than this share of it: shorter than that is one
+# integration step's rattle, not a stride.
+SHORTEST_STRIDE = 0.01
+# A sheet is folded when its halves hide this much of its area from its own mean plane.
+FOLDED_AREA = 0.5
+# Blocks of whole periods that the spin rate's interval is made from.
+BLOCKS = 8
+# A run has settled when its two halves agree within this share, or within this rate, or within their scatter.
+SETTLED_SHARE = 0.05
+SETTLED_RATE = math.radians(2)
+
+
+@dataclass(frozen=True)
+class SpinRate:
+    """Mean angular velocity about the plate's normal, counter-clockwise positive.
+
+    Attributes
+    ----------
+    rate, low, high : float
+        Rate and its 95 % interval, rad/s; NaN when there was too little to measure.
+    settled : bool
+        Whether the two halves of what was measured agree.
+    """
+
+    rate: float
+    low: float
+    high: float
+    settled: bool
+
+
+@dataclass(frozen=True)
+class Failure:
+    """How a run failed, and when (s)."""
+
+    kind: str
+    time: float
+
+
+@dataclass(frozen=True)
+class EnergyLedger:
+    """Where the plate's work went over a run, J. `residual` is what the time step made or lost: it shrinks with it."""
+
+    plate_work: float
+    kinetic: float
+    gravity: float
+    elastic: float
+    contact_stored: float
+    joint_loss: float
+    contact_loss: float
+    friction_loss: float
+
+    @property
+    def residual(self) -> float:
+        """Work that none of the others accounts for."""
+        return self.plate_work - (
+            self.kinetic + self.gravity + self.elastic + self.contact_stored
+            + self.joint_loss + self.contact_loss + self.friction_loss
+        )  # fmt: skip
+
+    @property
+    def relative_residual(self) -> float:
+        """Residual over the energy that passed through."""
+        through = abs(self.plate_work) + self.joint_loss + self.friction_loss + abs(self.contact_loss)
+        return self.residual / through if through > 0 else 0.0
+
+
+def rotation(cross: Series, dot: Series) -> Series:
+    """Unwrapped best-fit rotation in the plate frame, rad.
+
+    Parameters
+    ----------
+    cross, dot : (n,) arrays
+        Sums over the nodes of X0 × p and X0 · p, with X0 the rest and p the present position in the plate's plane: the
+        angle between them is the least-squares rotation.
+    """
+    return np.unwrap(np.arctan2(cross, dot))
+
+
+def spin_rate(time: Series, angle: Series, period: float, start: float, end: float) -> SpinRate:
+    """Slope of the rotation over whole plate periods between two times.
+
+    The interval comes from the slopes of eight blocks of whole periods, which need not be independent of the swing
+    within a period, only of each other. Fewer than two whole periods give NaN.
+
+    Parameters
+    ----------
+    time, angle : (n,) arrays
+        s and rad.
+    period, start, end : float
+        Plate period and the window to measure in, s.
+    """
+    periods = math.floor((end - start) / period + 1e-6)
+    if periods < 2 or len(time) < 4:
+        return SpinRate(math.nan, math.nan, math.nan, False)
+    start = end - periods * period
+    blocks = min(BLOCKS, periods)
+    edges = start + period * np.round(np.linspace(0, periods, blocks + 1))
+    at_edges = np.interp(edges, time, angle)
+    slopes, weights = np.diff(at_edges) / np.diff(edges), np.diff(edges)
+    within = (time >= start - 1e-9) & (time <= end + 1e-9)
+    rate = float(np.polyfit(time[within] - start, angle[within], 1)[0])
+    spread = math.sqrt(float(np.average((slopes - np.average(slopes, weights=weights)) ** 2, weights=weights)) / (blocks - 1))
+    half = _STUDENT_95[blocks - 1] * spread
+    middle = np.interp((start + end) / 2, time, angle)
+    first, second = (middle - at_edges[0]) / (end - start) * 2, (at_edges[-1] - middle) / (end - start) * 2
+    settled = abs(second - first) <= max(SETTLED_SHARE * abs(rate), SETTLED_RATE)
+    return SpinRate(rate, rate - half, rate + half, bool(settled))
+
+
+# Student's t, 97.5 % point, by degrees of freedom (scipy.stats takes half a second to import).
+_STUDENT_95 = {1: 12.706, 2: 4.303, 3: 3.182, 4: 2.776, 5: 2.571, 6: 2.447, 7: 2.365}
+
+
+def period_means(time: Series, values: Series, period: float, start: float, end: float) -> Series:
+    """(n_periods, …) means of samples over each whole plate period between two times."""
+    index = np.floor((time - start) / period - 1e-9).astype(int)
+    count = math.floor((end - start) / period + 1e-6)
+    within = (time > start) & (index >= 0) & (index < count)
+    sums = np.zeros((count, *values.shape[1:]))
+    np.add.at(sums, index[within], values[within])
+    return sums / np.maximum(np.bincount(index[within], minlength=count), 1).reshape(-1, *([1] * (values.ndim - 1)))
+
+
+def gait(left: Series, right: Series, flight: Series) -> str:
+    """Gait by the dissertation's definition (section 4.3), from each whole period's means.
+
+    The legs are the halves of the object left and right of the bar axis where they are now. Sliding: both touch all the
+    time. Walking: at least one does. Running: both are off the plate at some time. The gait of most periods is the
+    run's.
+
+    Parameters
+    ----------
+    left, right, flight : (n_periods,) arrays
+        Share of each period in which the left leg touches, the right leg touches, nothing touches.
+    """
+    if len(flight) == 0:
+        return ""
+    runs = flight > SHORTEST_STRIDE
+    walks = ~runs & (np.minimum(left, right) < 1 - SHORTEST_STRIDE)
+    counts = [np.sum(~runs & ~walks), np.sum(walks), np.sum(runs)]
+    return GAITS[int(np.argmax(counts))]
+
+
+def slip(time: Series, x: Series, y: Series, period: float) -> Series:
+    """Distance of the centre, averaged over the plate period around each time, from where it lay at first, m.
+
+    The averaging takes out the centre's swing within each period, which is part of every gait.
+    """
+    width = max(1, round(period / max(time[1] - time[0], 1e-12))) if len(time) > 1 else 1
+    if len(time) <= width:
+        return np.hypot(x - x[0], y - y[0])
+    half = width // 2
+
+    def smooth(values: Series) -> Series:
+        sums = np.cumsum(np.concatenate([[0.0], np.pad(values, half, mode="edge")]))
+        return (sums[2 * half + 1 :] - sums[: -2 * half - 1]) / (2 * half + 1)
+
+    return np.hypot(smooth(x) - x[0], smooth(y) - y[0])
+
+
+def first_failure(
+    channels: Mapping[str, Series],
+    period: float,
+    slip_limit: float,
+    plate_size: tuple[float, float] | None = None,
+    diverged: bool = False,
+) -> Failure | None:
+    """First thing that went wrong in a run, or None.
+
+    Failed are: the centre slipped further than the limit, or the sheet turned over (the dissertation's two, section
+    4.3); also a sheet that folded, left the plate, or ceased to be finite.
+
+    Parameters
+    ----------
+    channels : mapping
+        ``time``, ``centre_x``, ``centre_y`` (plate frame) and, where known, the area vector ``area_x/y/z`` over the
+        area at rest.
+    period, slip_limit : float
+        s and m.
+    plate_size : (length, width), optional
+        m.
+    diverged : bool
+        Whether the recording ends because the motion ceased to be finite.
+    """
+    time, x, y = channels["time"], channels["centre_x"], channels["centre_y"]
+    finite = np.isfinite(x) & np.isfinite(y)
+    last = int(np.argmin(finite)) if not finite.all() else len(time)
+    signs: list[tuple[str, NDArray[np.bool_]]] = []
+    if last > 0:
+        signs.append(("slipped", slip(time[:last], x[:last], y[:last], period) > slip_limit))
+    if "area_z" in channels and channels["area_z"][0] > 0:
+        area = np.stack([channels[f"area_{axis}"][:last] for axis in "xyz"])
+        size = np.linalg.norm(area, axis=0)
+        signs.append(("folded", size < FOLDED_AREA))
+        signs.append(("turned over", (size >= FOLDED_AREA) & (area[2] < 0)))
+    if plate_size is not None:
+        signs.append(("left the plate", (np.abs(x[:last]) > plate_size[0] / 2) | (np.abs(y[:last]) > plate_size[1] / 2)))
+    found = [Failure(kind, float(time[np.argmax(sign)])) for kind, sign in signs if sign.any()]
+    if diverged or last < len(time):
+        found.append(Failure("diverged", float(time[max(last - 1, 0)])))
+    return min(found, key=lambda failure: failure.time, default=None)
+
+
+def energy_ledger(channels: Mapping[str, Series]) -> EnergyLedger:
+    """Where the plate's work went over a whole recording, from its energy channels."""
+
+    def gain(name: str) -> float:
+        return float(channels[name][-1] - channels[name][0])
+
+    def total(name: str) -> float:
+        return float(np.sum(channels[name]))
+
+    stored = gain("contact_energy")
+    return EnergyLedger(
+        plate_work=total("plate_work"),
+        kinetic=gain("kinetic_energy"),
+        gravity=gain("gravity_energy"),
+        elastic=gain("axial_energy") + gain("bending_energy") + gain("torsion_energy"),
+        contact_stored=stored,
+        joint_loss=total("joint_loss"),
+        contact_loss=total("contact_work") - stored,
+        friction_loss=total("friction_loss"),
+    )

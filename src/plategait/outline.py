@@ -1,0 +1,197 @@
+"""Outlines that a sheet can be cut to, and the grid squares inside them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, model_validator
+
+from plategait.errors import InputError
+from plategait.model import Model
+from plategait.units import Length, Offset
+
+_Points = NDArray[np.float64]
+
+
+class Disk(Model):
+    """A round sheet."""
+
+    shape: Literal["disk"] = "disk"
+    radius: Length = Field(description="radius")
+
+    def size(self) -> tuple[float, float]:
+        """Length along x and width along y, m."""
+        return 2 * self.radius, 2 * self.radius
+
+    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+        """Whether points about the middle of the bounding box lie inside."""
+        return np.hypot(x, y) <= self.radius
+
+
+class Ellipse(Model):
+    """An oval sheet."""
+
+    shape: Literal["ellipse"] = "ellipse"
+    length: Length = Field(description="full length along x (the bar)")
+    width: Length = Field(description="full width along y")
+
+    def size(self) -> tuple[float, float]:
+        """Length along x and width along y, m."""
+        return self.length, self.width
+
+    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+        """Whether points about the middle of the bounding box lie inside."""
+        return np.hypot(2 * x / self.length, 2 * y / self.width) <= 1
+
+
+class Rectangle(Model):
+    """A rectangular sheet."""
+
+    shape: Literal["rectangle"] = "rectangle"
+    length: Length = Field(description="length along x (the bar)")
+    width: Length = Field(description="width along y")
+
+    def size(self) -> tuple[float, float]:
+        """Length along x and width along y, m."""
+        return self.length, self.width
+
+    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+        """Whether points about the middle of the bounding box lie inside."""
+        return (np.abs(x) <= self.length / 2) & (np.abs(y) <= self.width / 2)
+
+
+class Polygon(Model):
+    """A sheet with straight edges, given by its corners in order."""
+
+    shape: Literal["polygon"] = "polygon"
+    corners: tuple[tuple[Offset, Offset], ...] = Field(description="corners (x, y) in order")
+
+    @model_validator(mode="after")
+    def _at_least_a_triangle(self) -> Polygon:
+        if len(self.corners) < 3 or min(self.size()) <= 0:
+            raise InputError("corners", len(self.corners), "3 or more corners that span an area",
+                             '[["0 mm", "0 mm"], ["60 mm", "0 mm"], ["0 mm", "60 mm"]]')  # fmt: skip
+        return self
+
+    def size(self) -> tuple[float, float]:
+        """Length along x and width along y, m."""
+        length, width = np.ptp(np.array(self.corners), axis=0)
+        return float(length), float(width)
+
+    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+        """Whether points about the middle of the bounding box lie inside (even-odd rule)."""
+        corners = np.array(self.corners)
+        corners = corners - (corners.min(axis=0) + corners.max(axis=0)) / 2
+        inside = np.zeros(np.broadcast(x, y).shape, dtype=bool)
+        for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+            if y0 != y1:
+                straddles = (y0 > y) != (y1 > y)
+                inside ^= straddles & (x < x0 + (y - y0) * (x1 - x0) / (y1 - y0))
+        return inside
+
+
+class Mask(Model):
+    """A sheet cut to a picture: its dark (or, where there is transparency, opaque) pixels."""
+
+    shape: Literal["mask"] = "mask"
+    width_of_picture: Length = Field(description="what the width of the whole picture measures, along x")
+    image: Path | None = Field(default=None, description="picture file")
+    rows: tuple[str, ...] = Field(default=(), description='or the picture as text, top row first: "#" is sheet')
+
+    @model_validator(mode="after")
+    def _has_a_sheet(self) -> Mask:
+        pixels = self.pixels()
+        if not pixels.any():
+            raise InputError("image" if self.image else "rows", "nothing dark in the picture",
+                             "a picture with a dark object on a light ground", 'rows = [".##.", "####", ".##."]')  # fmt: skip
+        return self
+
+    def pixels(self) -> NDArray[np.bool_]:
+        """(columns, rows) pixels of the sheet, cropped to it; row 0 at the bottom."""
+        dark = np.array([[c == "#" for c in row] for row in self.rows], dtype=bool) if self.rows else self._read()
+        if dark.ndim != 2:
+            raise InputError("rows", self.rows, "rows of equal length", '[".##.", "####", ".##."]')
+        if not dark.any():
+            return dark
+        columns, rows = np.nonzero(dark.any(axis=0))[0], np.nonzero(dark.any(axis=1))[0]
+        return dark[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1][::-1].T
+
+    def _read(self) -> NDArray[np.bool_]:
+        if self.image is None:
+            raise InputError("image", "nothing", "a picture file, or rows of text", 'image = "leaf.png"')
+        from PIL import Image, UnidentifiedImageError
+
+        try:
+            with Image.open(self.image) as picture:
+                gray = np.asarray(picture.convert("LA"), dtype=float)
+        except (OSError, UnidentifiedImageError):
+            raise InputError("image", str(self.image), "a picture file that can be read", '"leaf.png"') from None
+        opaque = gray[..., 1] > 127
+        return opaque if not opaque.all() else gray[..., 0] < 128
+
+    def _pixel_size(self) -> float:
+        across = len(self.rows[0]) if self.rows else self._read().shape[1]
+        return self.width_of_picture / across
+
+    def size(self) -> tuple[float, float]:
+        """Length along x and width along y, m."""
+        columns, rows = self.pixels().shape
+        return columns * self._pixel_size(), rows * self._pixel_size()
+
+    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+        """Whether points about the middle of the bounding box lie inside."""
+        pixels, (length, width) = self.pixels(), self.size()
+        i = np.floor((x / length + 0.5) * pixels.shape[0]).astype(int)
+        j = np.floor((y / width + 0.5) * pixels.shape[1]).astype(int)
+        within = (i >= 0) & (i < pixels.shape[0]) & (j >= 0) & (j < pixels.shape[1])
+        return within & pixels[i.clip(0, pixels.shape[0] - 1), j.clip(0, pixels.shape[1] - 1)]
+
+
+Outline = Annotated[Disk | Ellipse | Rectangle | Polygon | Mask, Field(discriminator="shape")]
+
+
+def occupied_squares(outline: Disk | Ellipse | Rectangle | Polygon | Mask, pitch: float) -> NDArray[np.bool_]:
+    """Grid squares whose middle lies inside an outline.
+
+    The grid is centred on the outline's bounding box; the dissertation's disk (radius 40 mm, pitch 10 mm) comes out as
+    8 × 8 squares less three at each corner, rows of 4, 6, 8, 8, 8, 8, 6, 4.
+
+    Raises
+    ------
+    InputError
+        When no square lies inside, or the squares fall into pieces that only touch at corners or not at all.
+    """
+    columns, rows = (max(1, round(extent / pitch)) for extent in outline.size())
+    if columns * rows > 4_000_000:
+        raise InputError("pitch", f"{1e3 * pitch:g} mm", "coarse enough for under 4 million squares",
+                         f'"{1e3 * max(outline.size()) / 100:g} mm"')  # fmt: skip
+    x = (np.arange(columns) - (columns - 1) / 2) * pitch
+    y = (np.arange(rows) - (rows - 1) / 2) * pitch
+    # A hair inwards, so that a middle on the very edge falls the same way on every side.
+    inside = outline.contains(x[:, None] * (1 - 1e-12), y[None, :] * (1 - 1e-12))
+    finer = f'"{1e3 * min(outline.size()) / 8:.3g} mm"'
+    if not inside.any():
+        raise InputError("pitch", f"{1e3 * pitch:g} mm", "fine enough for at least one grid square inside the outline", finer)
+    pieces = _count_pieces(inside)
+    if pieces > 1:
+        raise InputError("outline", f"{pieces} separate pieces at a pitch of {1e3 * pitch:g} mm",
+                         "one connected piece", f"a mask without gaps, or a finer pitch such as {finer}")  # fmt: skip
+    return inside
+
+
+def _count_pieces(squares: NDArray[np.bool_]) -> int:
+    """Pieces that hang together along edges, by flooding one after the other."""
+    left, pieces = set(zip(*np.nonzero(squares), strict=True)), 0
+    while left:
+        pieces += 1
+        front = [left.pop()]
+        while front:
+            i, j = front.pop()
+            for neighbour in ((i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)):
+                if neighbour in left:
+                    left.remove(neighbour)
+                    front.append(neighbour)
+    return pieces

@@ -1,0 +1,141 @@
+"""Every object that the dissertation names, with what of it is published and what is inferred."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from plategait.contact import Contact, Friction
+from plategait.errors import InputError
+from plategait.motion import PlateMotion
+from plategait.outline import Disk
+from plategait.scenario import Scenario
+from plategait.sheet import Sheet
+
+NOMINAL_NATURAL_FREQUENCY = 10 * math.pi
+"""ω_n that the dissertation gives Table 4.1's sheet, rad/s."""
+
+
+@dataclass(frozen=True)
+class Preset:
+    """A scenario, and where its numbers come from, by dotted field name."""
+
+    scenario: Scenario
+    summary: str
+    published: dict[str, str]
+    inferred: dict[str, str]
+
+    @property
+    def notes(self) -> dict[str, str]:
+        """Remarks for `write_scenario`."""
+        return {name: f"published: {where}" for name, where in self.published.items()} | {
+            name: f"inferred: {why}" for name, why in self.inferred.items()
+        }
+
+
+# Table 4.1, in SI.
+_TABLE_4_1 = Sheet(
+    name="cheese",
+    outline=Disk(radius="40 mm"),
+    mass="13.6 g",
+    pitch="10 mm",
+    thickness="2.5 mm",
+    bending_stiffness="2.72e-3 N*mm/deg",
+    bending_damping="4.23e-6 N*mm/(deg/s)",
+    axial_stiffness="0.79 N/mm",
+    axial_damping="4.9e-4 N/(mm/s)",
+)  # pyright: ignore[reportArgumentType]
+_CONTACT = Contact(stiffness="11.86 N/mm", damping="7.65e-3 N/(mm/s)")  # pyright: ignore[reportArgumentType]
+_FRICTION = Friction(static=0.75, kinetic=0.40, transition_speed="100 mm/s")  # pyright: ignore[reportArgumentType]
+_SLOW_AND_WIDE = PlateMotion(frequency="12 Hz", angle="12 deg", stroke="3 mm")  # pyright: ignore[reportArgumentType]
+_PANCAKE_MOTION = PlateMotion(frequency="7 Hz", angle="16 deg", stroke="2 mm")  # pyright: ignore[reportArgumentType]
+
+_JOINTS_AND_CONTACT = (
+    "sheet.bending_damping", "sheet.axial_stiffness", "sheet.axial_damping", "contact.stiffness", "contact.damping",
+    "friction.static", "friction.kinetic", "friction.transition_speed",
+)  # fmt: skip
+
+
+def _like_the_cheese(*names: str) -> dict[str, str]:
+    return dict.fromkeys((*names, *_JOINTS_AND_CONTACT), "as the slice of cheese, Table 4.1")
+
+
+def _cheese() -> Preset:
+    fields = ("sheet.outline.radius", "sheet.mass", "sheet.pitch", "sheet.thickness", "sheet.bending_stiffness", *_JOINTS_AND_CONTACT)
+    return Preset(
+        Scenario(name="cheese", sheet=_TABLE_4_1, motion=PlateMotion(), contact=_CONTACT, friction=_FRICTION),
+        "the slice of cheese of Table 4.1, natural frequency 10π rad/s by the source",
+        dict.fromkeys(fields, "Table 4.1") | dict.fromkeys(("motion.angle", "motion.stroke"), "section 5.3.1"),
+        {"motion.frequency": "near the peak of Fig. 5.2(a)", "motion.ramp": "the source does not say how its motion starts"},
+    )
+
+
+def _cheese_with_lead() -> Preset:
+    sheet = _TABLE_4_1.replace(name="cheese-with-lead", mass="39.5 g")
+    return Preset(
+        Scenario(name="cheese-with-lead", sheet=sheet, motion=_SLOW_AND_WIDE, contact=_CONTACT, friction=_FRICTION),
+        "the slice of cheese weighed down with lead balls, section 5.6.2",
+        {"sheet.outline.radius": "section 5.6.2", "sheet.mass": "section 5.6.2", "motion.angle": "section 5.6.2", "motion.stroke": "section 5.6.2"},
+        _like_the_cheese("sheet.bending_stiffness", "sheet.thickness") | {"sheet.pitch": "modelling choice"},
+    )
+
+
+def _dumpling_skin() -> Preset:
+    mass = 6.9e-3
+    stiffness = _TABLE_4_1.bending_stiffness * (mass / _TABLE_4_1.mass) * (11.9 / 10) ** 2
+    sheet = _TABLE_4_1.replace(name="dumpling-skin", mass=mass, thickness="1 mm", bending_stiffness=stiffness)
+    return Preset(
+        Scenario(name="dumpling-skin", sheet=sheet, motion=_SLOW_AND_WIDE, contact=_CONTACT, friction=_FRICTION),
+        "the skin of a Chinese dumpling, natural frequency 11.9π rad/s, section 5.6.2",
+        {"sheet.outline.radius": "section 5.6.2", "sheet.mass": "section 5.6.2", "motion.angle": "section 5.6.2", "motion.stroke": "section 5.6.2"},
+        _like_the_cheese()
+        | {"sheet.bending_stiffness": "from the published ω_n = 11.9π and mass, by the cheese's k_b and 10π",
+           "sheet.thickness": "typical of the food", "sheet.pitch": "modelling choice"},
+    )  # fmt: skip
+
+
+def _pancake(rigid: bool) -> Preset:
+    # ω_n² goes with k_b/(M r²): the lattice keeps its 52 nodes at a slightly wider pitch.
+    omega = 320 * math.pi if rigid else 3.5 * math.pi
+    mass, pitch = 10e-3, 10.5e-3
+    scale = (mass / _TABLE_4_1.mass) * (pitch / _TABLE_4_1.pitch) ** 2 * (omega / NOMINAL_NATURAL_FREQUENCY) ** 2
+    name = "rigid-twin" if rigid else "pancake"
+    sheet = _TABLE_4_1.replace(
+        name=name, outline=Disk(radius=0.042), mass=mass, pitch=pitch, thickness="1 mm", bending_stiffness=_TABLE_4_1.bending_stiffness * scale
+    )
+    why = (
+        "as stiff as the source's stiffest object, ω_n = 320π (Fig. 4.7h), which it calls rigid"
+        if rigid
+        else "soft enough to bend as in Fig. 2.8, ω_n = 3.5π; the source gives no stiffness"
+    )
+    return Preset(
+        Scenario(name=name, sheet=sheet, motion=_PANCAKE_MOTION, contact=_CONTACT, friction=_FRICTION),
+        "the plastic twin of the pancake, same size and mass, section 2.4" if rigid else "the 10 g pancake of section 2.4",
+        dict.fromkeys(("sheet.outline.radius", "sheet.mass", "sheet.thickness", "motion.frequency", "motion.angle", "motion.stroke"), "section 2.4"),
+        _like_the_cheese() | {"sheet.bending_stiffness": why, "sheet.pitch": "modelling choice, 8 nodes across"},
+    )
+
+
+_MAKERS = {
+    "cheese": _cheese,
+    "cheese-with-lead": _cheese_with_lead,
+    "dumpling-skin": _dumpling_skin,
+    "pancake": lambda: _pancake(rigid=False),
+    "rigid-twin": lambda: _pancake(rigid=True),
+}
+
+PRESETS = tuple(_MAKERS)
+"""Names of the presets."""
+
+
+def preset(name: str) -> Preset:
+    """Look a preset up by name.
+
+    Raises
+    ------
+    InputError
+        When there is none of that name.
+    """
+    if name not in _MAKERS:
+        raise InputError("preset", name, f"one of {', '.join(PRESETS)}", "cheese")
+    return _MAKERS[name]()

@@ -1,0 +1,158 @@
+"""A scenario: one sheet on one plate motion, with everything a run needs. Read from and written to TOML."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, model_validator
+
+from plategait.contact import Contact, Friction
+from plategait.errors import InputError
+from plategait.model import Model
+from plategait.motion import PlateMotion
+from plategait.sheet import Sheet
+from plategait.units import Acceleration, Angle, Delay, Duration, Length, Offset, Quantity, show
+
+# Step that the reference disk's spin rates allow within 2 % (docs/numerics.md), and the share of the stable step that
+# stiffer or finer sheets take.
+LARGEST_TIME_STEP = 1e-4
+SHARE_OF_STABLE_STEP = 0.85
+
+
+class Start(Model):
+    """Where the object lies at the start, about the middle of the plate."""
+
+    x: Offset = Field(default=0.0, description="along the bar")
+    y: Offset = Field(default=0.0, description="across the bar")
+    angle: Angle = Field(default=0.0, description="orientation")
+
+
+class Plate(Model):
+    """Size of the plate; the source takes it as large enough never to drop the object."""
+
+    length: Length = Field(default=0.1, description="along the bar")
+    width: Length = Field(default=0.1, description="across the bar")
+
+
+class Scenario(Model):
+    """Everything one run needs: what is simulated, how the plate moves, for how long."""
+
+    name: str = Field(default="scenario", description="what the results call it")
+    sheet: Sheet = Field(description="the object")
+    motion: PlateMotion = Field(default_factory=PlateMotion, description="how the plate moves")
+    contact: Contact = Field(default_factory=Contact, description="contact between sheet and plate (3.1)")
+    friction: Friction = Field(default_factory=Friction, description="friction between sheet and plate (3.2)")
+    start: Start = Field(default_factory=Start, description="where the object lies at the start")
+    plate: Plate | None = Field(default=None, description="size of the plate; leave out for one that never ends")
+    gravity: Acceleration = Field(default=9.81, description="g")
+    duration: Duration = Field(default=4.0, description="simulated time")
+    transient: Delay | None = Field(default=None, description="time before anything is measured (30 % of the duration if left out)")
+    slip_limit: Length = Field(default=0.01, description="failed once the centre has slipped this far (section 4.3)")
+    time_step: Duration | None = Field(default=None, description="integration step (chosen from the stiffness if left out)")
+
+    @model_validator(mode="after")
+    def _times_fit(self) -> Scenario:
+        if self.measured_from >= self.duration:
+            raise InputError("transient", f"{self.measured_from:g} s", f"below the duration {self.duration:g} s", f'"{0.3 * self.duration:g} s"')
+        stable = self.sheet.stable_time_step
+        if self.time_step is not None and self.time_step > stable:
+            raise InputError("time_step", f"{self.time_step:g} s", f"at most {stable:.3g} s, where this sheet's joints stay stable",
+                             f'"{SHARE_OF_STABLE_STEP * stable:.2g} s", or leave it out')  # fmt: skip
+        if self.duration / self.dt > 2e9:
+            raise InputError("duration", f"{self.duration:g} s", f"at most {2e9 * self.dt:.3g} s at this time step", '"4 s"')
+        return self
+
+    @property
+    def measured_from(self) -> float:
+        """Time from which the observables are measured, s."""
+        return 0.3 * self.duration if self.transient is None else self.transient
+
+    @property
+    def dt(self) -> float:
+        """Time step used, s: the one given, or the smaller of 1e-4 s and 85 % of the stable one."""
+        if self.time_step is not None:
+            return self.time_step
+        return min(LARGEST_TIME_STEP, SHARE_OF_STABLE_STEP * self.sheet.stable_time_step)
+
+
+def read_scenario(path: Path | str) -> Scenario:
+    """Read a scenario from a TOML file.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, is no TOML, or a field is not as it must be.
+    """
+    path = Path(path)
+    try:
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError):
+        raise InputError("scenario", str(path), "a scenario file or a preset's name", "plategait scenario --print cheese > cheese.toml") from None
+    except tomllib.TOMLDecodeError as error:
+        raise InputError("scenario", str(path), f"TOML ({error})", "plategait scenario --print cheese > cheese.toml") from None
+    return Scenario(**_resolve_files(data, path.parent))
+
+
+def _resolve_files(data: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Names of files in a scenario count from the folder it is in."""
+    resolved: dict[str, Any] = {}
+    for key, value in data.items():
+        if isinstance(value, dict):
+            resolved[key] = _resolve_files(value, folder)
+        elif key in ("image", "samples") and isinstance(value, str):
+            resolved[key] = str(folder / value)
+        else:
+            resolved[key] = value
+    return resolved
+
+
+def write_scenario(scenario: Scenario, notes: dict[str, str] | None = None) -> str:
+    """Write a scenario as commented TOML that `read_scenario` reads back the same.
+
+    Parameters
+    ----------
+    notes : dict, optional
+        Remarks by dotted field name ("sheet.mass"), added to the comments.
+    """
+    lines = _table(scenario, "", notes or {})
+    return "\n".join(lines).strip() + "\n"
+
+
+def _table(model: Model, prefix: str, notes: dict[str, str]) -> list[str]:
+    lines: list[str] = []
+    nested: list[str] = []
+    for name, field in type(model).model_fields.items():
+        value = getattr(model, name)
+        dotted = f"{prefix}{name}"
+        remark = "; ".join(filter(None, [field.description, notes.get(dotted)]))
+        if isinstance(value, Model) and name != "samples":
+            nested += ["", f"# {remark}" if remark else "", f"[{dotted}]", *_table(value, f"{dotted}.", notes)]
+            continue
+        if value is None or value == ():
+            if not field.is_required() and name in ("plate", "transient", "time_step"):
+                lines.append(f"# {name} is left out: {remark}")
+            continue
+        quantity = next((m for m in field.metadata if isinstance(m, Quantity)), None)
+        lines.append(f"{name} = {_literal(value, quantity)}" + (f"  # {remark}" if remark else ""))
+    return [*lines, *nested]
+
+
+def _literal(value: object, quantity: Quantity | None) -> str:
+    """One value as TOML."""
+    if quantity is not None and isinstance(value, float) and quantity.unit:
+        text = show(value, quantity.unit, quantity.display)
+        # Text must come back as the very same number: a run from the file gives the run's bits.
+        return f'"{text}"' if quantity.read(text, "") == value else repr(value)
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, float):
+        return repr(value) if math.isfinite(value) else str(value)
+    if isinstance(value, (tuple, list)):
+        return "[" + ", ".join(_literal(item, None) for item in value) + "]"
+    if isinstance(value, Model):
+        items = ((name, getattr(value, name)) for name in type(value).model_fields)
+        return "{ " + ", ".join(f"{name} = {_literal(item, None)}" for name, item in items if item not in (None, ())) + " }"
+    return '"' + str(value).replace("\\", "\\\\").replace('"', '\\"') + '"'
