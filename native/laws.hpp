@@ -106,15 +106,21 @@ PLATEGAIT_HD R bending_energy(Edge<R> first, Edge<R> second, R k_b) {
 
 /// Bending Kelvin–Voigt joint (section 3.2.2): moment of the first edge on the second, against the angle and
 /// its rate, true at large angles, N m. Adds the power it dissipates.
+///
+/// Both parts act about the joint's own axis, first × second, which is square to both edges: so the joint makes no
+/// net moment, and a bent sheet that turns as a whole loses nothing.
 template <class R>
 PLATEGAIT_HD Vec3<R> bending_moment(Edge<R> first, Edge<R> second, Vec3<R> first_turning, Vec3<R> second_turning,
                                     R k_b, R c_b, R& loss) {
   const BendAngle<R> a = bend_angle(first, second);
-  // θ/sin θ = ratio / cos(θ/2), and first × second = sin θ along the axis, times both lengths.
-  const R stiffness = k_b * a.ratio * a.inverse_half_cosine * first.inverse_length * second.inverse_length;
-  const Vec3<R> turning = second_turning - first_turning;
-  loss += c_b * dot(turning, turning);
-  return stiffness * cross(first.along, second.along) + c_b * turning;
+  const Vec3<R> sine = (first.inverse_length * second.inverse_length) * cross(first.along, second.along);
+  // Rate of the angle, over sin θ. The floor is the square of an angle far below single precision's resolution.
+  const R inverse_sine = reciprocal_sqrt(dot(sine, sine) + number<R>(1e-16));
+  const R rate = dot(second_turning - first_turning, sine) * inverse_sine;
+  const R damping = c_b * rate;
+  loss += damping * rate;
+  // θ/sin θ = ratio / cos(θ/2).
+  return (k_b * a.ratio * a.inverse_half_cosine + damping * inverse_sine) * sine;
 }
 
 /// Force couple on the far end of an edge that carries the moment M against turning.

@@ -21,7 +21,9 @@ class Contact(Model):
 
     stiffness: AxialStiffness = Field(default=11860.0, description="k_contact of one tile, force at 1 mm over 1 mm")
     damping: AxialDamping = Field(default=7.65, description="c_contact of one tile")
-    damping_ramp: Depth = Field(default=0.0, description="depth over which the damping rises to its full value (0: at once)")
+    damping_ramp: Depth = Field(
+        default=0.0, description="depth over which the damping rises to its full value (0: at once)"
+    )
     tile_area: Area = Field(default=1e-4, description="area of the tile that stiffness and damping belong to")
 
     def static_depth(self, node_mass: float, pitch: float, gravity: float) -> float:
@@ -47,7 +49,9 @@ class Friction(Model):
     @model_validator(mode="after")
     def _kinetic_below_static(self) -> Friction:
         if self.kinetic > self.static:
-            raise InputError("kinetic", self.kinetic, f"at most the static coefficient {self.static:g}", f"{0.53 * self.static:.3g}")
+            raise InputError(
+                "kinetic", self.kinetic, f"at most the static coefficient {self.static:g}", f"{0.53 * self.static:.3g}"
+            )
         if self.kinetic_speed_ratio <= 1:
             raise InputError("kinetic_speed_ratio", self.kinetic_speed_ratio, "above 1", "10")
         return self

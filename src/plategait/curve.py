@@ -60,7 +60,12 @@ class Curve:
         points = zip(self.frequency_hz, self.spin_rate_deg_s, self.gait, self.failure, strict=True)
         return numbers | {
             "points": [
-                {"frequency_hz": f, "spin_rate_deg_s": r if math.isfinite(r) else None, "gait": g or None, "failure": x or None}
+                {
+                    "frequency_hz": f,
+                    "spin_rate_deg_s": r if math.isfinite(r) else None,
+                    "gait": g or None,
+                    "failure": x or None,
+                }
                 for f, r, g, x in points
             ]
         }
@@ -70,13 +75,17 @@ def fit_summary(fit: LorentzFit | None) -> dict[str, Any]:
     """Plain numbers of a Lorentz fit; None where there is none."""
     names = {"f0_hz": "f0_hz", "half_width_hz": "half_width_hz", "peak_deg_s": "peak", "r2": "r2"}
     numbers: dict[str, Any] = {key: getattr(fit, name) if fit else None for key, name in names.items()}
-    for key, name in (("f0_hz", "f0_interval"), ("half_width_hz", "half_width_interval"), ("peak_deg_s", "peak_interval")):
+    for key, name in (
+        ("f0_hz", "f0_interval"),
+        ("half_width_hz", "half_width_interval"),
+        ("peak_deg_s", "peak_interval"),
+    ):
         numbers[f"{key}_interval"] = list(getattr(fit, name)) if fit else None
     return numbers
 
 
 def fit_curve(curve: Curve) -> Curve:
-    """Same curve with the Lorentz fit (5.5) of its points, failed runs left out; or with the reason why there is none."""
+    """Same curve with the Lorentz fit (5.5) of the points that did not fail, or with the reason why there is none."""
     kept = np.array([not failure for failure in curve.failure]) & np.isfinite(curve.spin_rate_deg_s)
     try:
         fit = fit_lorentzian(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept])
@@ -86,7 +95,11 @@ def fit_curve(curve: Curve) -> Curve:
 
 
 def spin_curve(
-    scenario: Scenario, frequencies: Sequence[float], *, progress: Callable[[float], object] | None = None, **options: Any
+    scenario: Scenario,
+    frequencies: Sequence[float],
+    *,
+    progress: Callable[[float], object] | None = None,
+    **options: Any,
 ) -> Curve:
     """Simulate a spin curve and fit it.
 
@@ -131,7 +144,9 @@ def parse_frequencies(text: str) -> list[float]:
     parts = [part.strip() for part in text.split(separator)]
     unit = parts[-1].lstrip("0123456789.eE+- ")
     try:
-        numbers = [FREQUENCY.read(part if part.endswith(unit) and unit else f"{part}{unit}", "frequency") for part in parts]
+        numbers = [
+            FREQUENCY.read(part if part.endswith(unit) and unit else f"{part}{unit}", "frequency") for part in parts
+        ]
     except InputError:
         numbers = []
     if separator == ":" and len(numbers) == 3 and numbers[1] >= numbers[0]:
@@ -170,10 +185,12 @@ def read_curve(path: Path | str) -> Curve:
         with open(path, newline="", encoding="utf-8-sig") as file:
             rows = list(csv.DictReader(file))
     except (OSError, UnicodeDecodeError, csv.Error):
-        raise InputError("curve", str(path), "a CSV file that can be read", "plategait curve cheese --out curve.csv") from None
+        raise InputError(
+            "curve", str(path), "a CSV file that can be read", "plategait curve cheese --out curve.csv"
+        ) from None
     found = [c for c in (rows[0] if rows else {}) if c is not None]
     if not {"frequency_hz", "spin_rate_deg_s"} <= set(found):
-        raise InputError("curve", f"columns {', '.join(found) or 'none'}", "frequency_hz and spin_rate_deg_s, with rows below them",
+        raise InputError("curve", f"columns {', '.join(found) or 'none'}", "frequency_hz and spin_rate_deg_s, with rows",
                          "a first line frequency_hz,spin_rate_deg_s")  # fmt: skip
 
     def number(row: dict[str, str | None], column: str, line: int) -> float:
@@ -198,7 +215,9 @@ def read_curve(path: Path | str) -> Curve:
         name=path.stem,
         frequency_hz=numbers("frequency_hz"),
         spin_rate_deg_s=numbers("spin_rate_deg_s"),
-        spin_rate_sd_deg_s=numbers("spin_rate_sd_deg_s") if "spin_rate_sd_deg_s" in found else np.full(len(rows), math.nan),
+        spin_rate_sd_deg_s=numbers("spin_rate_sd_deg_s")
+        if "spin_rate_sd_deg_s" in found
+        else np.full(len(rows), math.nan),
         gait=gait,
         failure=tuple((row.get("failure") or "").strip() for row in rows),
     )

@@ -82,8 +82,16 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
         most = max(simulation.recordings, key=lambda r: len(r.snapshots))
         shapes = np.stack([padded(r.snapshots, len(most.snapshots)) for r in simulation.recordings])
         poses = np.stack([padded(r.plate_pose, len(most.snapshots)) for r in simulation.recordings])
-        variables["position"] = (("run", "snapshot", "node", "axis"), shapes, {"long_name": "node position, world frame", "units": "m"})
-        variables["plate_pose"] = (("run", "snapshot", "degree_of_freedom"), poses, {"long_name": "x, y, z (m), rx, ry, rz (rad)"})
+        variables["position"] = (
+            ("run", "snapshot", "node", "axis"),
+            shapes,
+            {"long_name": "node position, world frame", "units": "m"},
+        )
+        variables["plate_pose"] = (
+            ("run", "snapshot", "degree_of_freedom"),
+            poses,
+            {"long_name": "x, y, z (m), rx, ry, rz (rad)"},
+        )
         coordinates["snapshot_time"] = (("snapshot",), most.snapshot_time, {"units": "s"})
         coordinates["axis"] = ["x", "y", "z"]
     for name, values, unit in (

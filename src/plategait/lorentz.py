@@ -25,6 +25,8 @@ _REACH = (
     1.5,
     np.log(100),
 )  # how far a bound is sought: a factor 100 in peak and half-width, 1.5 spans in f0
+_LIMIT = 40.0  # scaled parameters stay within ±40, e^40 in peak and half-width: no overflow
+_EVALUATIONS = 100  # of one minimisation: a good curve takes about 10, a curve without a peak may take thousands
 _ROUNDING = 1e-24  # share of the squared rates under which squared residuals are rounding
 
 
@@ -155,17 +157,19 @@ def fit_lorentzian(
     f, y, w = _checked(frequency, rate, sd, confidence)
     curve = _Curve(f, y, w)
     best, cost = curve.best_of(curve.starts())
+    if fault := curve.fault(best, cost, confidence):
+        raise _no_peak(f, y, fault)
     threshold, given = _threshold(cost, len(f) - 3, sd is not None, confidence)
     bounds, method = curve.intervals(best, cost, threshold)
     peak, f0, half_width = map(float, curve.in_units(best))
     peaks, centres, widths = ((float(min(ends)), float(max(ends))) for ends in curve.in_units(bounds))
-    _refuse_without_peak(curve, cost, (f0, half_width), centres, confidence)
-    spread = w * (y - np.average(y, weights=w**2))
+    if not centres[1] - centres[0] <= np.ptp(f):
+        raise _no_peak(f, y, f"a peak anywhere from {centres[0]:.4g} to {centres[1]:.4g} Hz")
     return LorentzFit(
         peak=peak,
         f0_hz=f0,
         half_width_hz=half_width,
-        r2=1 - cost / float(spread @ spread),
+        r2=1 - cost / curve.spread(),
         n_points=len(f),
         confidence=confidence,
         peak_interval=peaks,
@@ -181,7 +185,7 @@ def _checked(
 ) -> tuple[_Array, _Array, _Array]:
     """Frequencies, rates and weights (1 / sd) of the points that have a rate, or InputError."""
     f, y = np.asarray(frequency, dtype=float), np.asarray(rate, dtype=float)
-    sds = np.ones(f.shape) if sd is None else np.asarray(sd, dtype=float)
+    sds = np.full(f.shape, np.nanmax(np.abs(y), initial=0)) if sd is None else np.asarray(sd, dtype=float)
     if f.ndim != 1:
         raise InputError("frequency", f"shape {f.shape}", "a list of frequencies", "[20, 22, 24, 26]")
     for field, values in (("rate", y), ("sd", sds)):
@@ -217,32 +221,16 @@ def _threshold(cost: float, dof: int, known: bool, confidence: float) -> tuple[f
     return cost / dof * float(special.stdtrit(dof, (1 + confidence) / 2)) ** 2, False
 
 
-def _refuse_without_peak(
-    curve: _Curve, cost: float, found: tuple[float, float], f0_interval: Interval, confidence: float
-) -> None:
-    """Raise InputError where the points do not show a peak: see `fit_lorentzian`."""
-    from scipy import special
-
-    f, (f0, half_width) = curve.f, found
-    first, last, top = f.min(), f.max(), f[np.argmax(np.abs(curve.y))]
-    if not f0_interval[1] - f0_interval[0] <= last - first:
-        got = f"a peak anywhere from {f0_interval[0]:.4g} to {f0_interval[1]:.4g} Hz"
-    elif max(first - f0, f0 - last) > half_width / np.sqrt(3):
-        got = f"no bend from {first:g} to {last:g} Hz"
-    elif half_width < (last - first) / 1000:
-        got = "a peak too sharp for the frequencies to resolve"
-    elif cost / (len(f) - 3) > special.fdtri(len(f) - 3, len(f) - 2, confidence) * curve.monotone_cost() / (len(f) - 2):
-        got = "a curve that a straight line or an exponential fits better"
-    else:
-        return
-    where = f"beyond {last:g} Hz" if top == last else f"below {first:g} Hz" if top == first else f"around {top:g} Hz"
-    raise InputError("rate", got, "a curve that shows its peak", f"adding frequencies {where}")
+def _no_peak(f: _Array, y: _Array, got: str) -> InputError:
+    top = f[np.argmax(np.abs(y))]
+    side = "beyond" if top == f.max() else "below" if top == f.min() else "around"
+    return InputError("rate", got, "a curve that shows its peak", f"adding frequencies {side} {top:g} Hz")
 
 
 class _Curve:
-    """Points to fit and the least-squares problem, in p = (ln |peak|, f0, ln half-width) of order 1.
+    """Points to fit and the least-squares problem, in scaled parameters (ln |peak|, f0, ln half-width).
 
-    Rates are taken over the largest, frequencies from their middle in spans; costs are in the caller's units.
+    Rates are taken over the largest, frequencies from their middle in spans.
     """
 
     def __init__(self, f: _Array, y: _Array, w: _Array) -> None:
@@ -260,13 +248,21 @@ class _Curve:
         guess = [np.log(peak / self.largest), (f0 - self.centre) / self.span, np.log(half_width / self.span)]
         return [np.array(guess), np.array([0.0, self.x[np.argmax(self.v)], np.log(0.25)])]
 
-    def residual_and_jacobian(self, p: _Array) -> tuple[_Array, _Array]:
-        """Weighted residuals (n,) and their derivatives by p (n, 3)."""
-        peak, half_width = np.exp(np.clip(p[[0, 2]], -40, 40))
+    def line(self, p: _Array) -> tuple[_Array, _Array, float]:
+        """Line (n,), distance from f0 in half-widths (n,), and half-width."""
+        peak, half_width = np.exp(np.clip(p[::2], -_LIMIT, _LIMIT))
         u = (self.x - p[1]) / half_width
-        line = peak / (1 + u**2)
-        by_f0 = line * 2 * u / (1 + u**2) / half_width
-        return self.w * (line - self.v), self.w[:, None] * np.stack([line, by_f0, by_f0 * u * half_width], axis=1)
+        return peak / (1 + u**2), u, half_width
+
+    def residual(self, p: _Array) -> _Array:
+        """Weighted residuals (n,)."""
+        return self.w * (self.line(p)[0] - self.v)
+
+    def jacobian(self, p: _Array) -> _Array:
+        """Derivatives (n, 3) of the weighted residuals by p."""
+        line, u, half_width = self.line(p)
+        common = self.w * line * 2 * u / (1 + u**2)
+        return np.column_stack([self.w * line, common / half_width, common * u])
 
     def minimise(self, start: _Array, held: int | None = None) -> tuple[_Array, float]:
         """Least squares from `start`, one parameter held if asked: parameters and weighted sum of squares."""
@@ -280,23 +276,40 @@ class _Curve:
             return p
 
         def residual(part: _Array) -> _Array:
-            return self.residual_and_jacobian(whole(part))[0]
+            return self.residual(whole(part))
 
         def jacobian(part: _Array) -> _Array:
-            return self.residual_and_jacobian(whole(part))[1][:, free]
+            return self.jacobian(whole(part))[:, free]
 
-        found = least_squares(residual, start[free], cast("Any", jacobian), method="lm")
-        return whole(found.x), 2 * float(found.cost)
+        found = least_squares(residual, start[free], cast("Any", jacobian), method="lm", max_nfev=_EVALUATIONS)
+        return np.clip(whole(found.x), -_LIMIT, _LIMIT), 2 * float(found.cost)
 
     def best_of(self, starts: Iterable[_Array], held: int | None = None) -> tuple[_Array, float]:
         """Lowest of the minima reached from `starts`: see `minimise`."""
         return min((self.minimise(start, held) for start in starts), key=lambda found: found[1])
 
+    def spread(self) -> float:
+        """Weighted sum of squares about the weighted mean."""
+        return float(np.sum((self.w * (self.v - np.average(self.v, weights=self.w**2))) ** 2))
+
+    def fault(self, best: _Array, cost: float, confidence: float) -> str | None:
+        """What speaks against a peak before any interval, if anything does: see `fit_lorentzian`."""
+        from scipy.special import fdtri
+
+        dof, rival_dof = len(self.x) - 3, len(self.x) - 2
+        if best[2] < -np.log(1000):
+            return "a peak too sharp for the frequencies to resolve"
+        if abs(best[1]) - 0.5 > np.exp(best[2]) / np.sqrt(3):
+            return f"no bend from {self.f.min():g} to {self.f.max():g} Hz"
+        if cost / dof > fdtri(dof, rival_dof, confidence) * self.monotone_cost() / rival_dof:
+            return "a curve that a straight line or an exponential fits better"
+        return None
+
     def intervals(
         self, best: _Array, cost: float, threshold: float
     ) -> tuple[_Array, Literal["profile likelihood", "covariance"]]:
         """Ends (3, 2) where the profile of each parameter rises by `threshold`, and how they were found."""
-        jacobian = self.residual_and_jacobian(best)[1]
+        jacobian = self.jacobian(best)
         wald = np.sqrt(np.diag(np.linalg.pinv(jacobian.T @ jacobian)) * threshold)
         if threshold <= _ROUNDING * float(np.sum((self.w * self.v) ** 2)):
             return best[:, None] + np.outer(wald, [-1, 1]), "covariance"

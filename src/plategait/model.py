@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 import difflib
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import ErrorDetails
 
 from plategait.errors import InputError
 
+if TYPE_CHECKING:
+    from pydantic.fields import FieldInfo
 
-class Model(BaseModel):
+    class _Fields:
+        """A base that lets a type checker pass text with a unit where a field holds a float."""
+
+        model_fields: ClassVar[dict[str, FieldInfo]]
+else:
+    _Fields = BaseModel
+
+
+class Model(_Fields):
     """A frozen description. Bad input raises `InputError`, one line that says what to type."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
+    model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
 
     def __init__(self, **data: Any) -> None:
         try:
@@ -43,13 +53,13 @@ class Model(BaseModel):
         return type(self)(**{**kept, **here})
 
 
-def _unknown_field(model: type[BaseModel], name: str) -> InputError:
+def _unknown_field(model: type[Model], name: str) -> InputError:
     known = list(model.model_fields)
     close = difflib.get_close_matches(name, known, n=1)
     return InputError(name, "nothing known by that name", f"one of {', '.join(known)}", close[0] if close else known[0])
 
 
-def _input_error(model: type[BaseModel], detail: ErrorDetails) -> InputError:
+def _input_error(model: type[Model], detail: ErrorDetails) -> InputError:
     """Turn pydantic's first finding into our one line."""
     inner = detail.get("ctx", {}).get("error")
     # The tags of a union of shapes are no part of a name that a user typed.

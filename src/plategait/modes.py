@@ -52,7 +52,12 @@ class Modes:
         for mode in self.modes:
             if mode.name == name:
                 return mode
-        raise InputError("modes", "nothing of that shape", f"a sheet that has a {name} mode", "a sheet at least 3 nodes across both ways")
+        raise InputError(
+            "modes",
+            "nothing of that shape",
+            f"a sheet that has a {name} mode",
+            "a sheet at least 3 nodes across both ways",
+        )
 
     @property
     def dish(self) -> Mode:
@@ -97,7 +102,9 @@ def transverse_matrix(lattice: Lattice, pitch: float, bending: float, torsion: f
     return (bending * bend.T @ bend + 2 * torsion * twist.T @ twist) / pitch**2
 
 
-def free_modes(lattice: Lattice, pitch: float, node_mass: float, k_b: float, c_b: float, k_t: float, c_t: float) -> Modes:
+def free_modes(
+    lattice: Lattice, pitch: float, node_mass: float, k_b: float, c_b: float, k_t: float, c_t: float
+) -> Modes:
     """Free-vibration modes of a sheet, out of its plane; `Sheet.free_modes` calls it with the sheet's numbers.
 
     Parameters
@@ -132,7 +139,9 @@ def free_modes(lattice: Lattice, pitch: float, node_mass: float, k_b: float, c_b
     return Modes(tuple(modes))
 
 
-def _without_rigid_motion(lattice: Lattice, squared: NDArray[np.float64], shapes: NDArray[np.float64]) -> NDArray[np.float64]:
+def _without_rigid_motion(
+    lattice: Lattice, squared: NDArray[np.float64], shapes: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """Take heave, roll and pitch out of the modes of zero frequency; free torsion adds the twist to them."""
     x, y = lattice.rest.T
     floppy = squared <= 1e-9 * squared[-1]

@@ -52,15 +52,22 @@ class Samples(Model):
     def _consistent(self) -> Samples:
         time = np.array(self.time)
         if len(time) < 2 or not np.isfinite(time).all() or (np.diff(time) <= 0).any() or time[0] != 0:
-            raise InputError("time", f"{len(time)} values", "2 or more finite times that rise from 0 s", "[0.0, 0.01, 0.02]")
+            raise InputError(
+                "time", f"{len(time)} values", "2 or more finite times that rise from 0 s", "[0.0, 0.01, 0.02]"
+            )
         for axis in AXES:
             values = getattr(self, axis)
             if values and (len(values) != len(time) or not np.isfinite(values).all()):
-                raise InputError(axis, f"{len(values)} values", f"{len(time)} finite values, one for each time", "values of equal length")
+                raise InputError(
+                    axis,
+                    f"{len(values)} values",
+                    f"{len(time)} finite values, one for each time",
+                    "values of equal length",
+                )
         return self
 
     def knots(self, step: float) -> NDArray[np.float64]:
-        """(n, 12) position and speed on each axis every `step` seconds, from a cubic spline, to one knot past the end."""
+        """(n, 12) position and speed on each axis every `step` seconds, from a cubic spline, to a knot past the end."""
         from scipy.interpolate import CubicSpline
 
         time = np.arange(0, self.time[-1] + 2 * step, step)
@@ -87,7 +94,9 @@ def read_samples(path: Path) -> Samples:
     InputError
         When the file cannot be read, or a column or number is not as said.
     """
-    scale = {"time_s": 1.0} | {f"{a}_deg" if a.startswith("r") else f"{a}_mm": math.pi / 180 if a.startswith("r") else 1e-3 for a in AXES}
+    scale = {"time_s": 1.0} | {
+        f"{a}_deg" if a.startswith("r") else f"{a}_mm": math.pi / 180 if a.startswith("r") else 1e-3 for a in AXES
+    }
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
@@ -95,7 +104,8 @@ def read_samples(path: Path) -> Samples:
         raise InputError("samples", str(path), "a CSV file that can be read", '"motion.csv"') from None
     columns = list(rows[0]) if rows else []
     if "time_s" not in columns or not set(columns) <= set(scale):
-        raise InputError("samples", f"columns {', '.join(map(str, columns)) or 'none'}", f"time_s and any of {', '.join(list(scale)[1:])}",
+        raise InputError("samples", f"columns {', '.join(map(str, columns)) or 'none'}",
+                         f"time_s and any of {', '.join(list(scale)[1:])}",
                          "a first line such as time_s,x_mm,rx_deg")  # fmt: skip
     try:
         return Samples(**{c.split("_")[0]: tuple(float(row[c]) * scale[c] for row in rows) for c in columns})

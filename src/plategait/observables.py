@@ -118,7 +118,9 @@ def spin_rate(time: Series, angle: Series, period: float, start: float, end: flo
     slopes, weights = np.diff(at_edges) / np.diff(edges), np.diff(edges)
     within = (time >= start - 1e-9) & (time <= end + 1e-9)
     rate = float(np.polyfit(time[within] - start, angle[within], 1)[0])
-    spread = math.sqrt(float(np.average((slopes - np.average(slopes, weights=weights)) ** 2, weights=weights)) / (blocks - 1))
+    spread = math.sqrt(
+        float(np.average((slopes - np.average(slopes, weights=weights)) ** 2, weights=weights)) / (blocks - 1)
+    )
     half = _STUDENT_95[blocks - 1] * spread
     middle = np.interp((start + end) / 2, time, angle)
     first, second = (middle - at_edges[0]) / (end - start) * 2, (at_edges[-1] - middle) / (end - start) * 2
@@ -213,7 +215,9 @@ def first_failure(
         signs.append(("folded", size < FOLDED_AREA))
         signs.append(("turned over", (size >= FOLDED_AREA) & (area[2] < 0)))
     if plate_size is not None:
-        signs.append(("left the plate", (np.abs(x[:last]) > plate_size[0] / 2) | (np.abs(y[:last]) > plate_size[1] / 2)))
+        signs.append(
+            ("left the plate", (np.abs(x[:last]) > plate_size[0] / 2) | (np.abs(y[:last]) > plate_size[1] / 2))
+        )
     found = [Failure(kind, float(time[np.argmax(sign)])) for kind, sign in signs if sign.any()]
     if diverged or last < len(time):
         found.append(Failure("diverged", float(time[max(last - 1, 0)])))

@@ -106,7 +106,7 @@ class Mask(Model):
         pixels = self.pixels()
         if not pixels.any():
             raise InputError("image" if self.image else "rows", "nothing dark in the picture",
-                             "a picture with a dark object on a light ground", 'rows = [".##.", "####", ".##."]')  # fmt: skip
+                             "a dark object on a light ground", 'rows = [".##.", "####", ".##."]')  # fmt: skip
         return self
 
     def pixels(self) -> NDArray[np.bool_]:
@@ -168,13 +168,15 @@ def occupied_squares(outline: Disk | Ellipse | Rectangle | Polygon | Mask, pitch
     if columns * rows > 4_000_000:
         raise InputError("pitch", f"{1e3 * pitch:g} mm", "coarse enough for under 4 million squares",
                          f'"{1e3 * max(outline.size()) / 100:g} mm"')  # fmt: skip
-    x = (np.arange(columns) - (columns - 1) / 2) * pitch
-    y = (np.arange(rows) - (rows - 1) / 2) * pitch
+    x = (np.arange(columns, dtype=np.float64) - (columns - 1) / 2) * pitch
+    y = (np.arange(rows, dtype=np.float64) - (rows - 1) / 2) * pitch
     # A hair inwards, so that a middle on the very edge falls the same way on every side.
     inside = outline.contains(x[:, None] * (1 - 1e-12), y[None, :] * (1 - 1e-12))
     finer = f'"{1e3 * min(outline.size()) / 8:.3g} mm"'
     if not inside.any():
-        raise InputError("pitch", f"{1e3 * pitch:g} mm", "fine enough for at least one grid square inside the outline", finer)
+        raise InputError(
+            "pitch", f"{1e3 * pitch:g} mm", "fine enough for at least one grid square inside the outline", finer
+        )
     pieces = _count_pieces(inside)
     if pieces > 1:
         raise InputError("outline", f"{pieces} separate pieces at a pitch of {1e3 * pitch:g} mm",

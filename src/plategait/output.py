@@ -21,7 +21,9 @@ def check_writable(path: Path | str, suffixes: Sequence[str], field: str = "outp
     """
     path = Path(path)
     if path.suffix.lower() not in suffixes:
-        raise InputError(field, str(path), f"a file name ending in {' or '.join(suffixes)}", str(path.with_suffix(suffixes[0])))
+        raise InputError(
+            field, str(path), f"a file name ending in {' or '.join(suffixes)}", str(path.with_suffix(suffixes[0]))
+        )
     folder = path.parent
     if path.is_dir() or not folder.is_dir():
         raise InputError(field, str(path), "a file in a folder that exists", f"mkdir -p {folder}, or {path.name}")

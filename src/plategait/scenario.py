@@ -49,20 +49,31 @@ class Scenario(Model):
     plate: Plate | None = Field(default=None, description="size of the plate; leave out for one that never ends")
     gravity: Acceleration = Field(default=9.81, description="g")
     duration: Duration = Field(default=4.0, description="simulated time")
-    transient: Delay | None = Field(default=None, description="time before anything is measured (30 % of the duration if left out)")
+    transient: Delay | None = Field(
+        default=None, description="time before anything is measured (30 % of the duration if left out)"
+    )
     slip_limit: Length = Field(default=0.01, description="failed once the centre has slipped this far (section 4.3)")
-    time_step: Duration | None = Field(default=None, description="integration step (chosen from the stiffness if left out)")
+    time_step: Duration | None = Field(
+        default=None, description="integration step (chosen from the stiffness if left out)"
+    )
 
     @model_validator(mode="after")
     def _times_fit(self) -> Scenario:
         if self.measured_from >= self.duration:
-            raise InputError("transient", f"{self.measured_from:g} s", f"below the duration {self.duration:g} s", f'"{0.3 * self.duration:g} s"')
+            raise InputError(
+                "transient",
+                f"{self.measured_from:g} s",
+                f"below the duration {self.duration:g} s",
+                f'"{0.3 * self.duration:g} s"',
+            )
         stable = self.sheet.stable_time_step
         if self.time_step is not None and self.time_step > stable:
-            raise InputError("time_step", f"{self.time_step:g} s", f"at most {stable:.3g} s, where this sheet's joints stay stable",
+            raise InputError("time_step", f"{self.time_step:g} s", f"at most {stable:.3g} s, where the joints stay stable",
                              f'"{SHARE_OF_STABLE_STEP * stable:.2g} s", or leave it out')  # fmt: skip
         if self.duration / self.dt > 2e9:
-            raise InputError("duration", f"{self.duration:g} s", f"at most {2e9 * self.dt:.3g} s at this time step", '"4 s"')
+            raise InputError(
+                "duration", f"{self.duration:g} s", f"at most {2e9 * self.dt:.3g} s at this time step", '"4 s"'
+            )
         return self
 
     @property
@@ -90,9 +101,16 @@ def read_scenario(path: Path | str) -> Scenario:
     try:
         data = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError):
-        raise InputError("scenario", str(path), "a scenario file or a preset's name", "plategait scenario --print cheese > cheese.toml") from None
+        raise InputError(
+            "scenario",
+            str(path),
+            "a scenario file or a preset's name",
+            "plategait scenario --print cheese > cheese.toml",
+        ) from None
     except tomllib.TOMLDecodeError as error:
-        raise InputError("scenario", str(path), f"TOML ({error})", "plategait scenario --print cheese > cheese.toml") from None
+        raise InputError(
+            "scenario", str(path), f"TOML ({error})", "plategait scenario --print cheese > cheese.toml"
+        ) from None
     return Scenario(**_resolve_files(data, path.parent))
 
 
@@ -154,5 +172,9 @@ def _literal(value: object, quantity: Quantity | None) -> str:
         return "[" + ", ".join(_literal(item, None) for item in value) + "]"
     if isinstance(value, Model):
         items = ((name, getattr(value, name)) for name in type(value).model_fields)
-        return "{ " + ", ".join(f"{name} = {_literal(item, None)}" for name, item in items if item not in (None, ())) + " }"
+        return (
+            "{ "
+            + ", ".join(f"{name} = {_literal(item, None)}" for name, item in items if item not in (None, ()))
+            + " }"
+        )
     return '"' + str(value).replace("\\", "\\\\").replace('"', '\\"') + '"'

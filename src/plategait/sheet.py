@@ -34,7 +34,9 @@ class Sheet(Model):
     outline: Outline = Field(description="what it is cut to: disk, ellipse, rectangle, polygon or mask")
     mass: Mass = Field(description="M, whole mass, shared evenly by the nodes")
     pitch: Length = Field(default=0.01, description="l, distance between nodes")
-    thickness: Length = Field(default=0.0025, description="d, drawn and used to convert measurements; contact is at mid-plane")
+    thickness: Length = Field(
+        default=0.0025, description="d, drawn and used to convert measurements; contact is at mid-plane"
+    )
     bending_stiffness: BendingStiffness = Field(description="k_b")
     bending_damping: BendingDamping = Field(default=0.0, description="c_b")
     axial_stiffness: AxialStiffness = Field(description="k_c")
@@ -92,11 +94,13 @@ class Sheet(Model):
     def stable_time_step(self) -> float:
         """Largest time step at which the joints are stable, s.
 
-        From bounds on the lattice's eigenvalues, ω² ≤ (8 k_c + 32 (k_b + k_t)/l²)/m and γ ≤ (8 c_c + 32 (c_b + c_t)/l²)/m:
-        semi-implicit Euler with explicit damping is stable while 2 γ dt + ω² dt² < 4. The contact is implicit and sets
-        no limit.
+        The lattice's eigenvalues are bounded by ω² ≤ (8 k_c + 32 (k_b + k_t)/l²)/m, γ ≤ (8 c_c + 32 (c_b + c_t)/l²)/m,
+        and semi-implicit Euler with explicit damping is stable while 2 γ dt + ω² dt² < 4. The contact is implicit and
+        sets no limit.
         """
         per_pitch = 32 / self.pitch**2
-        stiffness = (8 * self.axial_stiffness + per_pitch * (self.bending_stiffness + self.torsion_stiffness)) / self.node_mass
+        stiffness = (
+            8 * self.axial_stiffness + per_pitch * (self.bending_stiffness + self.torsion_stiffness)
+        ) / self.node_mass
         damping = (8 * self.axial_damping + per_pitch * (self.bending_damping + self.torsion_damping)) / self.node_mass
         return 4 / (damping + math.sqrt(damping**2 + 4 * stiffness))

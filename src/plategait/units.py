@@ -33,7 +33,8 @@ _COMMON: dict[str, tuple[float, str]] = {
     "N/m": (1.0, "N/m"), "N/mm": (1e3, "N/m"),
     "N*s/m": (1.0, "N*s/m"), "N/(mm/s)": (1e3, "N*s/m"), "N*s/mm": (1e3, "N*s/m"),
     "N*m/rad": (1.0, "N*m/rad"), "N*mm/deg": (1e-3 / _DEG, "N*m/rad"), "N*mm/rad": (1e-3, "N*m/rad"),
-    "N*m*s/rad": (1.0, "N*m*s/rad"), "N*mm/(deg/s)": (1e-3 / _DEG, "N*m*s/rad"), "N*mm*s/deg": (1e-3 / _DEG, "N*m*s/rad"),
+    "N*m*s/rad": (1.0, "N*m*s/rad"), "N*mm/(deg/s)": (1e-3 / _DEG, "N*m*s/rad"),
+    "N*mm*s/deg": (1e-3 / _DEG, "N*m*s/rad"),
 }  # fmt: skip
 
 _NUMBER = re.compile(r"^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|[-+]?(?:nan|inf))\s*(.*?)\s*$", re.IGNORECASE)

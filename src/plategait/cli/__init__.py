@@ -42,16 +42,24 @@ def simulate(
     out: Annotated[Path | None, typer.Option("--out", help="Write the run as labelled data: .nc.")] = None,
     plot: options.Plot = None,
     film: Annotated[Path | None, typer.Option("--film", help="Write a film: .mp4.")] = None,
-    filmstrip: Annotated[Path | None, typer.Option("--filmstrip", help="Write snapshots over one plate period: .png.")] = None,
+    filmstrip: Annotated[
+        Path | None, typer.Option("--filmstrip", help="Write snapshots over one plate period: .png.")
+    ] = None,
     as_json: options.Json = False,
 ) -> None:
     """Run one scenario: how fast it spins, in which gait, and whether it stays."""
     from plategait import simulation
 
-    _check_outputs((out, (".nc",), "--out"), (plot, PICTURES, "--plot"), (film, (".mp4",), "--film"), (filmstrip, (".png",), "--filmstrip"))
+    _check_outputs(
+        (out, (".nc",), "--out"),
+        (plot, PICTURES, "--plot"),
+        (film, (".mp4",), "--film"),
+        (filmstrip, (".png",), "--filmstrip"),
+    )
     chosen = options.build(
         scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
-        friction_law=friction_law, duration=duration, dt=dt, frequency=FREQUENCY.read(frequency, "--frequency") if frequency else None,
+        friction_law=friction_law, duration=duration, dt=dt,
+        frequency=FREQUENCY.read(frequency, "--frequency") if frequency is not None else None,
     )  # fmt: skip
     with report.progress_bar("simulating") as progress:
         result = simulation.simulate(
@@ -68,7 +76,9 @@ def curve(
     scenario: options.ScenarioName = "cheese",
     sheet: options.Sheet = None,
     natural_frequency: options.NaturalFrequency = None,
-    frequency: Annotated[str, typer.Option("--frequency", help='Plate frequencies, first:last:step: "12:30:1Hz".')] = "12:30:1Hz",
+    frequency: Annotated[
+        str, typer.Option("--frequency", help='Plate frequencies, first:last:step: "12:30:1Hz".')
+    ] = "12:30:1Hz",
     angle: options.Angle = None,
     stroke: options.Stroke = None,
     mu_s: options.MuS = None,
@@ -92,7 +102,9 @@ def curve(
         friction_law=friction_law, duration=duration, dt=dt,
     )  # fmt: skip
     with report.progress_bar("simulating") as progress:
-        result = spin_curve(chosen, parse_frequencies(frequency), repeats=repeats, seed=seed, engine=engine, progress=progress)
+        result = spin_curve(
+            chosen, parse_frequencies(frequency), repeats=repeats, seed=seed, engine=engine, progress=progress
+        )
     if out:
         write_curve(result, out)
     _plot_curve(result, plot)
@@ -139,7 +151,9 @@ def modes(
     if not as_json:
         return report.print_modes(chosen.name, found, count)
     keys = ("omega", "frequency", "damping_ratio", "name")
-    report.print_json({"sheet": chosen.name, "modes": [{_MODE_KEYS[k]: getattr(m, k) for k in keys} for m in found.modes[:count]]})
+    report.print_json(
+        {"sheet": chosen.name, "modes": [{_MODE_KEYS[k]: getattr(m, k) for k in keys} for m in found.modes[:count]]}
+    )
 
 
 _MODE_KEYS = {"omega": "omega_rad_s", "frequency": "frequency_hz", "damping_ratio": "damping_ratio", "name": "name"}
@@ -157,10 +171,22 @@ def scenario_command(
         print(f"# {found.summary}\n\n" + write_scenario(found.scenario, found.notes), end="")
     elif name is not None:
         checked = options.load(name)
-        facts = {"scenario": checked.name, "nodes": checked.sheet.lattice.n_nodes, "dt_s": checked.dt, "duration_s": checked.duration}
-        report.print_json(facts) if as_json else print(f"{name}: {checked.name}, {checked.sheet.lattice.n_nodes} nodes, step {checked.dt:.3g} s")
+        facts = {
+            "scenario": checked.name,
+            "nodes": checked.sheet.lattice.n_nodes,
+            "dt_s": checked.dt,
+            "duration_s": checked.duration,
+        }
+        report.print_json(facts) if as_json else print(
+            f"{name}: {checked.name}, {checked.sheet.lattice.n_nodes} nodes, step {checked.dt:.3g} s"
+        )
     elif as_json:
-        report.print_json({n: {"summary": preset(n).summary, "published": preset(n).published, "inferred": preset(n).inferred} for n in PRESETS})
+        report.print_json(
+            {
+                n: {"summary": preset(n).summary, "published": preset(n).published, "inferred": preset(n).inferred}
+                for n in PRESETS
+            }
+        )
     else:
         for each in PRESETS:
             print(f"{each:18}{preset(each).summary}")
@@ -173,7 +199,7 @@ def _check_outputs(*outputs: tuple[Path | None, tuple[str, ...], str]) -> None:
             check_writable(path, suffixes, option)
 
 
-def _write_pictures(result, out: Path | None, plot: Path | None, film: Path | None, filmstrip: Path | None) -> None:  # noqa: ANN001
+def _write_pictures(result, out: Path | None, plot: Path | None, film: Path | None, filmstrip: Path | None) -> None:
     if out:
         from plategait.dataset import write_dataset
 
@@ -191,7 +217,7 @@ def _write_pictures(result, out: Path | None, plot: Path | None, film: Path | No
             render.filmstrip(result.scenario, result.recordings[0], filmstrip)
 
 
-def _plot_curve(result, plot: Path | None) -> None:  # noqa: ANN001
+def _plot_curve(result, plot: Path | None) -> None:
     if plot:
         from plategait.plots import plot_curve, save
 

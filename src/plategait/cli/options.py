@@ -16,18 +16,25 @@ _STEP = Quantity("s", "s", "1e-4 s", above=0)
 _DURATION = Quantity("s", "s", "4 s", above=0)
 _COEFFICIENT = Quantity("", "", "0.75", at_least=0)
 
-ScenarioName = Annotated[str, typer.Argument(metavar="[SCENARIO]", help=f"A TOML file, or one of {', '.join(PRESETS)}.")]
+ScenarioName = Annotated[
+    str, typer.Argument(metavar="[SCENARIO]", help=f"A TOML file, or one of {', '.join(PRESETS)}.")
+]
 Sheet = Annotated[str | None, typer.Option("--sheet", help="Take the sheet of this preset or scenario file instead.")]
 NaturalFrequency = Annotated[
-    str | None, typer.Option("--natural-frequency", help='Scale the bending stiffness to this dish mode: "10 pi rad/s", "5 Hz".')
+    str | None,
+    typer.Option("--natural-frequency", help='Scale the bending stiffness to this dish mode: "10 pi rad/s", "5 Hz".'),
 ]
 Angle = Annotated[str | None, typer.Option("--angle", help='Angular amplitude A_p of the plate: "3 deg".')]
 Stroke = Annotated[str | None, typer.Option("--stroke", help='Linear amplitude B_p of the plate: "3 mm".')]
-MuS = Annotated[str | None, typer.Option("--mu-s", help="Static friction. The kinetic one keeps its ratio to it unless given.")]
+MuS = Annotated[
+    str | None, typer.Option("--mu-s", help="Static friction. The kinetic one keeps its ratio to it unless given.")
+]
 MuK = Annotated[str | None, typer.Option("--mu-k", help="Kinetic friction, at most the static one.")]
 Law = Annotated[str | None, typer.Option("--friction-law", help='"thesis" (step at V) or "adams" (smooth).')]
 Duration = Annotated[str | None, typer.Option("--duration", help='Simulated time: "4 s".')]
-Repeats = Annotated[int, typer.Option("--repeats", help="Runs from slightly different starts; mean and spread are reported.")]
+Repeats = Annotated[
+    int, typer.Option("--repeats", help="Runs from slightly different starts; mean and spread are reported.")
+]
 Seed = Annotated[int, typer.Option("--seed", help="Of the different starts.")]
 Dt = Annotated[str | None, typer.Option("--dt", help='Time step: "1e-4 s". Chosen from the stiffness if left out.')]
 Engine = Annotated[str, typer.Option("--engine", help="cpu (single precision) or cpu64 (double).")]

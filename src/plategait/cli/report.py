@@ -63,7 +63,11 @@ def print_simulation(simulation: Simulation) -> None:
         ["speed", f"{_number(s['simulated_s_per_wall_s'])} simulated seconds per second"],
     ]
     motion = o.motion
-    _table(f"{o.name}: {motion.frequency:g} Hz, A_p {math.degrees(motion.angle):.3g} deg, B_p {1e3 * motion.stroke:.3g} mm", ["", ""], rows)
+    _table(
+        f"{o.name}: {motion.frequency:g} Hz, {math.degrees(motion.angle):.3g} deg, {1e3 * motion.stroke:.3g} mm",
+        ["", ""],
+        rows,
+    )
 
 
 def print_curve(curve: Curve) -> None:

@@ -83,7 +83,7 @@ def _batches(runs: Sequence[Run]) -> list[list[int]]:
     """Indices of the runs that share a lattice, in pieces whose recordings fit in memory."""
     groups: dict[bytes, list[int]] = {}
     for i, r in enumerate(runs):
-        groups.setdefault(r.scenario.sheet.lattice.key, []).append(i)
+        groups.setdefault(r.lattice.key, []).append(i)
     batches = []
     for group in groups.values():
         largest = max(4 * len(_native.CHANNELS) * runs[i].steps / runs[i].stride for i in group)
@@ -159,8 +159,10 @@ def _lines(lattice: Lattice) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     return starts, np.array([node for line in lines for node in line], dtype=np.int32)
 
 
-def _advance(runs: Sequence[Run], precision: Precision, threads: int, level: str, report: Callable[[int], None]) -> list[Recording]:
-    lattice, n = runs[0].scenario.sheet.lattice, len(runs)
+def _advance(
+    runs: Sequence[Run], precision: Precision, threads: int, level: str, report: Callable[[int], None]
+) -> list[Recording]:
+    lattice, n = runs[0].lattice, len(runs)
     rows = [parameters_of(r.scenario) for r in runs]
     parameters = np.array([[row[name] for row in rows] for name in _native.PARAMETERS])
     torsion = any(row["torsion_stiffness"] or row["torsion_damping"] for row in rows)
@@ -171,14 +173,14 @@ def _advance(runs: Sequence[Run], precision: Precision, threads: int, level: str
     thinning = np.array([r.thinning for r in runs], dtype=np.int64)
     n_samples = steps // stride + 1
     n_snapshots = np.where(thinning > 0, (n_samples - 1) // np.maximum(thinning, 1) + 1, 0)
-    x0 = np.stack([r.positions() for r in runs])
+    x0, v0 = (np.stack(vectors) for vectors in zip(*(r.start() for r in runs), strict=True))
     samples = np.full((n, int(n_samples.max()), len(_native.CHANNELS)), np.nan, dtype=precision)
     snapshots = np.zeros((n, int(n_snapshots.max()), lattice.n_nodes, 3), dtype=np.float32)
     x1, v1, steps_done = np.zeros_like(x0), np.zeros_like(x0), np.zeros(n, dtype=np.int64)
     getattr(_native, f"advance_{precision}")(
         line_start=line_start, line_nodes=line_nodes, n_axial_lines=len(lattice.axial_lines), cells=lattice.cells,
         rest=lattice.rest, mobility=lattice.mobility, torsion=bool(torsion), parameters=parameters, term_dof=term_dof,
-        terms=terms, table=_tables(runs), steps=steps, stride=stride, thinning=thinning, x0=x0, v0=np.zeros_like(x0),
+        terms=terms, table=_tables(runs), steps=steps, stride=stride, thinning=thinning, x0=x0, v0=v0,
         samples=samples, snapshots=snapshots, x1=x1, v1=v1, steps_done=steps_done, level=level,
         threads=max(1, threads), progress=report,
     )  # fmt: skip
@@ -189,7 +191,7 @@ def _advance(runs: Sequence[Run], precision: Precision, threads: int, level: str
         series = samples[j, :kept].astype(np.float64)
         channels = {name: series[:, c] for c, name in enumerate(_native.CHANNELS)}
         # Time counts in steps: the core's own precision does not reach a long run's end.
-        channels["time"] = np.arange(kept) * (int(stride[j]) * r.scenario.dt)
+        channels["time"] = np.arange(kept, dtype=np.float64) * (int(stride[j]) * r.scenario.dt)
         pose = np.stack([channels[f"plate_{axis}"] for axis in AXES], axis=1)
         every = slice(0, None, max(1, int(thinning[j])))
         recordings.append(

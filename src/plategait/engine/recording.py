@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.lattice import Lattice
 from plategait.scenario import Scenario
 
 # A plate period holds this many samples, and none is further from the next than the longest interval.
@@ -25,11 +27,23 @@ class Run:
         Added to the scenario's start, m and rad.
     snapshot_interval : float
         Time between recorded shapes, s; 0 records none.
+    initial : (positions, velocities), optional
+        Each (n_nodes, 3), m and m/s: start from there instead, in the world frame.
+    held : (n_nodes,) bool array, optional
+        Nodes clamped where they start (cantilevers).
     """
 
     scenario: Scenario
     offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
     snapshot_interval: float = 0.0
+    initial: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
+    held: NDArray[np.bool_] | None = None
+
+    @cached_property
+    def lattice(self) -> Lattice:
+        """Topology of the sheet, with the held nodes marked."""
+        lattice = self.scenario.sheet.lattice
+        return lattice if self.held is None else Lattice(lattice.occupied, self.held)
 
     @property
     def steps(self) -> int:
@@ -49,14 +63,17 @@ class Run:
             return 0
         return max(1, round(self.snapshot_interval / (self.stride * self.scenario.dt)))
 
-    def positions(self) -> NDArray[np.float64]:
-        """(n_nodes, 3) node positions at the start, m: flat, at the depth where the plate carries the weight."""
+    def start(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Node positions and velocities at the start: at rest, flat, at the depth where the plate carries the weight."""
+        if self.initial is not None:
+            return self.initial
         s = self.scenario
         x, y, angle = (a + b for a, b in zip((s.start.x, s.start.y, s.start.angle), self.offset, strict=True))
-        rest = s.sheet.lattice.rest * s.sheet.pitch
+        rest = self.lattice.rest * s.sheet.pitch
         turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
         depth = s.contact.static_depth(s.sheet.node_mass, s.sheet.pitch, s.gravity)
-        return np.column_stack([rest @ turn + (x, y), np.full(len(rest), -depth)])
+        positions = np.column_stack([rest @ turn + (x, y), np.full(len(rest), -depth)])
+        return positions, np.zeros_like(positions)
 
 
 @dataclass(frozen=True, eq=False)
