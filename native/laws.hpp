@@ -274,9 +274,10 @@ PLATEGAIT_HD void smooth_start(R time, R duration, R& level, R& rate) {
   rate = number<R>(30) * s * s * rest * rest * inverse;
 }
 
-/// Pose from the six degrees of freedom, rotation R = Rx(Θx) Ry(Θy) Rz(Θz).
+/// Pose from the six degrees of freedom, rotation R = Rx(Θx) Ry(Θy) Rz(Θz) about a point `height` below the surface.
+/// The surface at rest is z = 0.
 template <class R>
-PLATEGAIT_HD PlatePose<R> plate_pose(const PlateMotion<R>& m) {
+PLATEGAIT_HD PlatePose<R> plate_pose(const PlateMotion<R>& m, R height) {
   const R turn = number<R>(0.15915494309189535), zero = number<R>(0);
   const SineCosine<R> a = sine_cosine(m.position[3] * turn), b = sine_cosine(m.position[4] * turn),
                       g = sine_cosine(m.position[5] * turn);
@@ -287,8 +288,10 @@ PLATEGAIT_HD PlatePose<R> plate_pose(const PlateMotion<R>& m) {
   const Vec3<R> normal = {b.sine, zero - a.sine * b.cosine, a.cosine * b.cosine};
   const Vec3<R> turning = {m.speed[3] + m.speed[5] * normal.x, m.speed[4] * a.cosine + m.speed[5] * normal.y,
                            m.speed[4] * a.sine + m.speed[5] * normal.z};
-  return {{m.position[0], m.position[1], m.position[2]}, ex, ey, normal,
-          {m.speed[0], m.speed[1], m.speed[2]}, turning};
+  const Vec3<R> arm = height * normal;
+  const Vec3<R> origin = {m.position[0] + arm.x, m.position[1] + arm.y, m.position[2] + arm.z - height};
+  const Vec3<R> velocity = {m.speed[0], m.speed[1], m.speed[2]};
+  return {origin, ex, ey, normal, velocity + cross(turning, arm), turning};
 }
 
 }  // namespace plategait

@@ -24,6 +24,7 @@ enum Parameter : int {
   GRAVITY,             // m/s^2
   PLATE_HALF_LENGTH,   // m, along the bar
   PLATE_HALF_WIDTH,    // m, across the bar
+  PLATE_HEIGHT,        // m, of the plate's surface above the axis that it turns about
   RAMP_DURATION,       // s, start of the plate motion
   TABLE_STEP,          // s, between the knots of a sampled trajectory
   TIME_STEP,           // s
@@ -34,7 +35,7 @@ constexpr const char* parameter_names[N_PARAMETERS] = {
     "pitch", "node_mass", "axial_stiffness", "axial_damping", "bending_stiffness", "bending_damping",
     "torsion_stiffness", "torsion_damping", "contact_stiffness", "contact_damping", "contact_ramp",
     "static_friction", "kinetic_friction", "static_speed", "kinetic_speed", "smooth_friction", "gravity",
-    "plate_half_length", "plate_half_width", "ramp_duration", "table_step", "time_step"};
+    "plate_half_length", "plate_half_width", "plate_height", "ramp_duration", "table_step", "time_step"};
 
 /// What is recorded at each sample. The sums and fractions cover the steps since the sample before.
 enum Channel : int {

@@ -86,7 +86,7 @@ template <class R>
 PLATEGAIT_HD void record_sample(const State<R>& s, const Topology& topology, const R* parameter,
                                 const Trajectory<R>& trajectory, Wide<R> time, R steps, Tally<R>& tally, R* channel) {
   const PlateMotion<R> motion = move_plate(trajectory, parameter, time);
-  const PlatePose<R> plate = plate_pose(motion);
+  const PlatePose<R> plate = plate_pose(motion, parameter[PLATE_HEIGHT]);
   record_joints(s, topology, parameter, channel);
   record_nodes(s, topology, parameter, plate, channel);
   const Vec3<R> area = {channel[AREA_X], channel[AREA_Y], channel[AREA_Z]};

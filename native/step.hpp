@@ -255,7 +255,7 @@ PLATEGAIT_HD PlateMotion<R> advance_one_step(const State<R>& state, const Topolo
                                              const Trajectory<R>& trajectory, Wide<R> time, Tally<R>& tally) {
   const PlateMotion<R> motion = move_plate(trajectory, parameter, time);
   pull_joints(state, topology, parameter, tally);
-  meet_plate(state, topology, parameter, plate_pose(motion), tally);
+  meet_plate(state, topology, parameter, plate_pose(motion, parameter[PLATE_HEIGHT]), tally);
   return motion;
 }
 

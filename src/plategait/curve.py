@@ -21,6 +21,8 @@ from plategait.simulation import Simulation, simulate_all
 from plategait.units import FREQUENCY
 
 COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure")
+# Successive failed frequencies that end a curve.
+RUN_OFF = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,9 +54,47 @@ class Curve:
     no_fit: str = ""
     simulations: tuple[Simulation, ...] = ()
 
+    @property
+    def fitted(self) -> NDArray[np.bool_]:
+        """Points that the fit may use: measured, not failed, and below the run-off.
+
+        The source's curves stop where the object becomes unstable (section 4.4). So does the fit: at the first of
+        `RUN_OFF` successive frequencies that all failed; islands of stability beyond it belong to another motion.
+        """
+        order = np.argsort(self.frequency_hz, kind="stable")
+        failed = np.array([bool(f) for f in self.failure])[order]
+        runs = (
+            np.convolve(failed, np.ones(RUN_OFF), "valid") == RUN_OFF if len(failed) >= RUN_OFF else np.zeros(0, bool)
+        )
+        kept = ~failed
+        if runs.any():
+            kept[int(np.argmax(runs)) :] = False
+        out = np.empty_like(kept)
+        out[order] = kept
+        return out & np.isfinite(self.spin_rate_deg_s)
+
+    @property
+    def peak_frequency(self) -> float:
+        """Frequency of the highest spin rate, Hz: vertex of the parabola through the points above 85 % of it.
+
+        The tops are flat and the highest single point wanders along them. NaN for fewer than three such points.
+        """
+        f, rate = self.frequency_hz[self.fitted], self.spin_rate_deg_s[self.fitted]
+        top = rate > 0.85 * rate.max() if len(rate) else np.zeros(0, bool)
+        if top.sum() < 3:
+            return math.nan
+        middle = f[top].mean()
+        curvature, slope, _ = np.polyfit(f[top] - middle, rate[top], 2)
+        vertex = middle - slope / (2 * curvature)
+        return float(vertex) if curvature < 0 and f[top].min() <= vertex <= f[top].max() else float(f[np.argmax(rate)])
+
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`: the fit, and every point."""
-        numbers = fit_summary(self.fit) | {"no_fit": self.no_fit or None}
+        peak = self.peak_frequency
+        numbers = fit_summary(self.fit) | {
+            "no_fit": self.no_fit or None,
+            "peak_frequency_hz": peak if math.isfinite(peak) else None,
+        }
         if self.simulations:
             return numbers | {"points": [s.summary() for s in self.simulations]}
         points = zip(self.frequency_hz, self.spin_rate_deg_s, self.gait, self.failure, strict=True)
@@ -85,8 +125,8 @@ def fit_summary(fit: LorentzFit | None) -> dict[str, Any]:
 
 
 def fit_curve(curve: Curve) -> Curve:
-    """Same curve with the Lorentz fit (5.5) of the points that did not fail, or with the reason why there is none."""
-    kept = np.array([not failure for failure in curve.failure]) & np.isfinite(curve.spin_rate_deg_s)
+    """Same curve with the Lorentz fit (5.5) of its `fitted` points, or with the reason why there is none."""
+    kept = curve.fitted
     try:
         fit = fit_lorentzian(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept])
     except InputError as error:

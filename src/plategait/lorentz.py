@@ -20,13 +20,11 @@ from plategait.errors import InputError
 Interval = tuple[float, float]
 _Array = NDArray[np.float64]
 
-_REACH = (
-    np.log(100),
-    1.5,
-    np.log(100),
-)  # how far a bound is sought: a factor 100 in peak and half-width, 1.5 spans in f0
+# How far an end of an interval is sought: a factor 100 in peak and half-width, one and a half spans in f0.
+_REACH = (np.log(100), 1.5, np.log(100))
 _LIMIT = 40.0  # scaled parameters stay within ±40, e^40 in peak and half-width: no overflow
 _EVALUATIONS = 100  # of one minimisation: a good curve takes about 10, a curve without a peak may take thousands
+_SIGNIFICANCE = 0.01  # of the tests that reject a given sd, or a peak
 _ROUNDING = 1e-24  # share of the squared rates under which squared residuals are rounding
 
 
@@ -134,7 +132,7 @@ def fit_lorentzian(
         Spin rates in any unit. NaN (a failed run) leaves that point out.
     sd : (n,) array_like, optional
         Standard deviation of each rate, in its unit. Weights the points; sizes the intervals too, unless the
-        residuals are too large for it by a χ² test at `confidence`.
+        residuals are too large for it by a χ² test at 1 %.
     confidence : float
         Coverage asked of the intervals.
 
@@ -152,12 +150,12 @@ def fit_lorentzian(
         - the interval of f0 is wider than the span of the frequencies, or
         - f0 lies more than b/√3 outside them, so that they stop before the line's inflection and nothing bends, or
         - b is under a thousandth of their span: one rate stands out and no flank is seen, or
-        - a straight line or an exponential fits better by an F test at `confidence`.
+        - a straight line or an exponential fits better by an F test at 1 %.
     """
-    f, y, w = _checked(frequency, rate, sd, confidence)
-    curve = _Curve(f, y, w)
+    f, y, sds = _checked(frequency, rate, sd, confidence)
+    curve = _Curve(f, y, sds)
     best, cost = curve.best_of(curve.starts())
-    if fault := curve.fault(best, cost, confidence):
+    if fault := curve.fault(best, cost):
         raise _no_peak(f, y, fault)
     threshold, given = _threshold(cost, len(f) - 3, sd is not None, confidence)
     bounds, method = curve.intervals(best, cost, threshold)
@@ -183,9 +181,9 @@ def fit_lorentzian(
 def _checked(
     frequency: ArrayLike, rate: ArrayLike, sd: ArrayLike | None, confidence: float
 ) -> tuple[_Array, _Array, _Array]:
-    """Frequencies, rates and weights (1 / sd) of the points that have a rate, or InputError."""
+    """Frequencies, rates and their sd (alike if not given) of the points that have a rate, or InputError."""
     f, y = np.asarray(frequency, dtype=float), np.asarray(rate, dtype=float)
-    sds = np.full(f.shape, np.nanmax(np.abs(y), initial=0)) if sd is None else np.asarray(sd, dtype=float)
+    sds = np.full(f.shape, np.nanmax(np.abs(y), initial=0) or 1.0) if sd is None else np.asarray(sd, dtype=float)
     if f.ndim != 1:
         raise InputError("frequency", f"shape {f.shape}", "a list of frequencies", "[20, 22, 24, 26]")
     for field, values in (("rate", y), ("sd", sds)):
@@ -209,14 +207,14 @@ def _checked(
         raise InputError("rate", got, "rates at 4 distinct frequencies or more", "more frequencies")
     if np.ptp(y) <= 1e-12 * np.abs(y).max():
         raise InputError("rate", y.tolist(), "a curve that rises or falls", "frequencies where the object spins")
-    return f, y, 1 / sds
+    return f, y, sds
 
 
 def _threshold(cost: float, dof: int, known: bool, confidence: float) -> tuple[float, bool]:
     """Rise of the cost at an interval's ends, and whether it rests on the sd as given rather than on the residuals."""
     from scipy import special
 
-    if known and cost <= special.chdtri(dof, 1 - confidence):
+    if known and cost <= special.chdtri(dof, _SIGNIFICANCE):
         return float(special.ndtri((1 + confidence) / 2)) ** 2, True
     return cost / dof * float(special.stdtrit(dof, (1 + confidence) / 2)) ** 2, False
 
@@ -233,10 +231,10 @@ class _Curve:
     Rates are taken over the largest, frequencies from their middle in spans.
     """
 
-    def __init__(self, f: _Array, y: _Array, w: _Array) -> None:
+    def __init__(self, f: _Array, y: _Array, sds: _Array) -> None:
         self.f, self.y = f, y
         self.largest, self.centre, self.span = y[np.argmax(np.abs(y))], (f.min() + f.max()) / 2, np.ptp(f)
-        self.x, self.v, self.w = (f - self.centre) / self.span, y / self.largest, w * np.abs(self.largest)
+        self.x, self.v, self.w = (f - self.centre) / self.span, y / self.largest, np.abs(self.largest) / sds
 
     def in_units(self, p: _Array) -> tuple[_Array, _Array, _Array]:
         """Peak, f0 and half-width of p (3, ...)."""
@@ -292,16 +290,16 @@ class _Curve:
         """Weighted sum of squares about the weighted mean."""
         return float(np.sum((self.w * (self.v - np.average(self.v, weights=self.w**2))) ** 2))
 
-    def fault(self, best: _Array, cost: float, confidence: float) -> str | None:
+    def fault(self, best: _Array, cost: float) -> str | None:
         """What speaks against a peak before any interval, if anything does: see `fit_lorentzian`."""
         from scipy.special import fdtri
 
         dof, rival_dof = len(self.x) - 3, len(self.x) - 2
-        if best[2] < -np.log(1000):
-            return "a peak too sharp for the frequencies to resolve"
         if abs(best[1]) - 0.5 > np.exp(best[2]) / np.sqrt(3):
             return f"no bend from {self.f.min():g} to {self.f.max():g} Hz"
-        if cost / dof > fdtri(dof, rival_dof, confidence) * self.monotone_cost() / rival_dof:
+        if best[2] < -np.log(1000):
+            return "a peak too sharp for the frequencies to resolve"
+        if cost / dof > fdtri(dof, rival_dof, 1 - _SIGNIFICANCE) * self.monotone_cost() / rival_dof:
             return "a curve that a straight line or an exponential fits better"
         return None
 

@@ -118,13 +118,15 @@ def read_samples(path: Path) -> Samples:
 class PlateMotion(Model):
     """Motion of the plate. The short form is (4.1), (4.2): Θ(t) = −A_p sin ω_p t about the bar, X(t) = B_p sin ω_p t.
 
-    The rotation is Rx(Θx) Ry(Θy) Rz(Θz), about the bar axis through the plate's middle. `waves` add to the short form,
+    The rotation is Rx(Θx) Ry(Θy) Rz(Θz), about a point `height` below the middle of the plate's surface: the bar's axis
+    where the plate lies on the bar. `waves` add to the short form,
     and `samples` to both.
     """
 
     frequency: Frequency = Field(default=24.0, description="f_p, of the sines")
     angle: Angle = Field(default=math.radians(3), description="A_p, angular amplitude about the bar")
     stroke: Offset = Field(default=0.003, description="B_p, linear amplitude along the bar")
+    height: Offset = Field(default=0.0, description="height of the plate's surface above the axis that it turns about")
     ramp: Delay = Field(default=0.1, description="duration of the smooth start")
     waves: tuple[Wave, ...] = Field(default=(), description="further sines, on any axis")
     samples: Samples | None = Field(default=None, description="CSV file of a sampled trajectory")

@@ -116,6 +116,7 @@ def parameters_of(scenario: Scenario) -> dict[str, float]:
         "gravity": scenario.gravity,
         "plate_half_length": scenario.plate.length / 2 if scenario.plate else _ENDLESS,
         "plate_half_width": scenario.plate.width / 2 if scenario.plate else _ENDLESS,
+        "plate_height": motion.height,
         "ramp_duration": motion.ramp,
         "table_step": _table_step(scenario),
         "time_step": scenario.dt,

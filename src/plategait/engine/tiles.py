@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, TypedDict
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,16 +19,6 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Coefficient = float | Array
 Friction = Literal["thesis", "adams"]
-
-
-class TileRuns(TypedDict):
-    """Samples of a batch of runs: ``position`` and ``velocity`` are (runs, samples, tiles, 3), in the world."""
-
-    time: Array
-    position: Array
-    velocity: Array
-    plate_angle: Array
-    plate_shift: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -279,9 +269,10 @@ def run_tiles(
     time_step: float = 4e-5,
     sample_interval: float = 2e-3,
     ramp_duration: float = 0.1,
+    plate_height: float = 0.0,
     gravity: float = 9.81,
     offset: ArrayLike = 0.0,
-) -> TileRuns:
+) -> dict[str, Array]:
     """Run a batch of plate motions side by side, each from the flat sheet at rest.
 
     Parameters
@@ -296,6 +287,8 @@ def run_tiles(
         Law (3.2), or the smooth law of the source's solver.
     duration, time_step, sample_interval, ramp_duration : floats
         Seconds. Semi-implicit Euler; 4e-5 s resolves Table 4.1 with the default ``shear_ratio``.
+    plate_height : float
+        Height of the plate's surface above the axis of Θ, m; the surface at rest is z = 0.
     gravity : float
         m/s².
     offset : (tiles, 3) or (runs, tiles, 3) array, optional
@@ -303,9 +296,9 @@ def run_tiles(
 
     Returns
     -------
-    TileRuns
-        ``time``, ``position``, ``velocity`` (runs, samples, tiles, 3), ``plate_angle`` and ``plate_shift``
-        (runs, samples).
+    dict of arrays
+        ``time`` (samples,); ``position`` (runs, samples, tiles, 3), tile centres in the world;
+        ``plate_angle`` and ``plate_shift`` (runs, samples), Θ and X.
     """
     given = (np.atleast_1d(np.asarray(a, dtype=float)) for a in (A_p, B_p, frequency, mu_s, mu_k))
     amplitude, shake, hertz, rough, slippery = np.broadcast_arrays(*given)
@@ -326,12 +319,12 @@ def run_tiles(
         return couple / I_x + (1 / I_z - 1 / I_x) * _dot(couple, normal) * normal
 
     every, steps = round(sample_interval / dt), round(duration / dt)
-    kept: list[tuple[float, Array, Array, Array, Array]] = []
+    kept: list[tuple[float, Array, Array, Array]] = []
     for step in range(steps + 1):
         time = step * dt
         angle, shift, angle_rate, shift_rate = plate_motion(time, amplitude, shake, omega, ramp_duration)
         if step % every == 0:
-            kept.append((time, x, v, angle, shift))
+            kept.append((time, x, angle, shift))
         axes = _axes(q)
         force, couple = joint_forces(model, x, v, axes, w)
         couple -= (I_z - I_x) * _dot(w, axes[2]) * _cross(w, axes[2])
@@ -346,10 +339,11 @@ def run_tiles(
             arm = p[0] * axes[0] + p[1] * axes[1] + p[2] * axes[2]
             r = x + arm
             r[0] -= shift
+            r[2] += plate_height  # from the axis of Θ
             u = v + _cross(w, arm) - _cross(spin, r)
             u[0] -= shift_rate
             speed_off = _dot(u, up)
-            pressed = normal_force(model, -_dot(r, up), speed_off, dt)
+            pressed = normal_force(model, plate_height - _dot(r, up), speed_off, dt)
             slip = u - speed_off * up
             slip_speed = np.sqrt(_dot(slip, slip) + 1e-20)
             # Friction may stop the slip of a step, never reverse it.
@@ -363,11 +357,10 @@ def run_tiles(
         x = x + dt * v
         q = _turn(q, dt * w)
 
-    times, xs, vs, angles, shifts = (np.array(a) for a in zip(*kept, strict=True))
-    return TileRuns(
-        time=times,
-        position=xs.transpose(3, 0, 2, 1),
-        velocity=vs.transpose(3, 0, 2, 1),
-        plate_angle=angles.T,
-        plate_shift=shifts.T,
-    )
+    times, centres, angles, shifts = (np.array(a) for a in zip(*kept, strict=True))
+    return {
+        "time": times,
+        "position": centres.transpose(3, 0, 2, 1),
+        "plate_angle": angles.T,
+        "plate_shift": shifts.T,
+    }
