@@ -170,7 +170,7 @@ PLATEGAIT_HD R contact_energy(R depth, R k_contact) {
   return contact_spring(depth, k_contact).force * depth * number<R>(1 / 3.2);
 }
 
-/// Contact damping at a depth, rising by a cubic step over a ramp of depth 1/inverse_ramp, N s/m.
+/// Contact damping that rises by a cubic step over a depth of 1/inverse_ramp, N s/m.
 template <class R>
 PLATEGAIT_HD R contact_damping(R depth, R c_contact, R inverse_ramp) {
   const R s = smaller(depth * inverse_ramp, number<R>(1));
@@ -180,15 +180,15 @@ PLATEGAIT_HD R contact_damping(R depth, R c_contact, R inverse_ramp) {
 /// Normal force of (3.1), never adhesive, N: spring and damper taken linearly implicit over the step.
 ///
 /// `separating` is the node's speed off the plate and `other` the acceleration that all other forces give it
-/// that way. Solving with the speed at the end of the step is what lets the step be 1e-4 s.
+/// that way. Solving with the speed at the end of the step is what lets the step be near 1e-4 s.
 template <class R>
-PLATEGAIT_HD R normal_force(R depth, R separating, R other, R inverse_mass, R time_step, R k_contact, R c_contact,
-                            R inverse_ramp) {
-  const ContactSpring<R> spring = contact_spring(larger(depth, number<R>(0)), k_contact);
-  const R resistance = contact_damping(larger(depth, number<R>(0)), c_contact, inverse_ramp) + spring.stiffness * time_step;
+PLATEGAIT_HD R normal_force(R depth, R separating, R other, R inverse_mass, R time_step, R k_contact, R damping) {
+  const R zero = number<R>(0);
+  const ContactSpring<R> spring = contact_spring(larger(depth, zero), k_contact);
+  const R resistance = damping + spring.stiffness * time_step;
   const R force = (spring.force - resistance * (separating + time_step * other)) /
                   (number<R>(1) + time_step * inverse_mass * resistance);
-  return select(depth > number<R>(0), larger(force, number<R>(0)), number<R>(0));
+  return select(depth > zero, larger(force, zero), zero);
 }
 
 // -------------------------------------------------------------------------------------------- friction

@@ -30,7 +30,7 @@ auto pointer(const A& array, std::size_t size, const char* name) {
 /// Run one batch at the precision of `samples`. Raises KeyboardInterrupt (or what `progress` raises) midway.
 template <class T>
 void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Array<int> cells, Array<double> rest,
-             Array<double> mobility, bool torsion, Array<double> parameters, Array<int> term_dof, Array<double> terms,
+             Array<double> mobility, std::vector<bool> features, Array<double> parameters, Array<int> term_dof, Array<double> terms,
              Array<double> table, Array<std::int64_t> steps, Array<std::int64_t> stride, Array<std::int64_t> thinning,
              Array<double> x0, Array<double> v0, Output<T> samples, Output<float> snapshots, Output<double> x1,
              Output<double> v1, Output<std::int64_t> steps_done, const std::string& level, int threads, nb::object progress) {
@@ -49,7 +49,7 @@ void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Ar
   const std::size_t n_knots = table.size() / (12 * n_runs);
   Batch<T> batch{};
   batch.topology = {static_cast<int>(n_nodes), static_cast<int>(n_lines), n_axial_lines, static_cast<int>(cells.size() / 4),
-                    line_start.data(), line_nodes.data(), cells.data(), pointer(rest, 2 * n_nodes, "rest"), mobility.data(), torsion};
+                    line_start.data(), line_nodes.data(), cells.data(), pointer(rest, 2 * n_nodes, "rest"), mobility.data(), {features.at(0), features.at(1), features.at(2), features.at(3)}};
   batch.n_runs = static_cast<std::int64_t>(n_runs);
   batch.parameters = pointer(parameters, plategait::N_PARAMETERS * n_runs, "parameters");
   batch.n_terms = static_cast<int>(n_terms);
@@ -89,7 +89,7 @@ void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Ar
 
 template <class T, class Module>
 void define_advance(Module& module, const char* name) {
-  module.def(name, &advance<T>, "line_start"_a, "line_nodes"_a, "n_axial_lines"_a, "cells"_a, "rest"_a, "mobility"_a, "torsion"_a,
+  module.def(name, &advance<T>, "line_start"_a, "line_nodes"_a, "n_axial_lines"_a, "cells"_a, "rest"_a, "mobility"_a, "features"_a,
              "parameters"_a, "term_dof"_a, "terms"_a, "table"_a, "steps"_a, "stride"_a, "thinning"_a, "x0"_a, "v0"_a, "samples"_a,
              "snapshots"_a, "x1"_a, "v1"_a, "steps_done"_a, "level"_a, "threads"_a, "progress"_a.none());
 }

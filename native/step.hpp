@@ -12,6 +12,12 @@
 
 namespace plategait {
 
+/// Phases that a batch may do without, because no run in it has what they are for. A lane that does not need a phase
+/// gets the same bits with and without it.
+struct Features {
+  bool torsion, smooth_friction, plate_edge, contact_ramp;
+};
+
 /// The lattice's topology: the same for every run of a batch.
 ///
 /// Lines are the maximal straight chains of neighbouring nodes; the first `n_axial_lines` run along the grid and
@@ -23,7 +29,7 @@ struct Topology {
   const int* cells;         // n_cells x 4
   const double* rest;       // n_nodes x 2, in pitches, about the centroid
   const double* mobility;   // n_nodes: 1 free, 0 held where it is
-  bool torsion;             // whether any run has torsion joints
+  Features features;
 };
 
 /// Node vectors of one pack, [node][axis].
@@ -181,7 +187,7 @@ PLATEGAIT_HD void pull_joints(const State<R>& s, const Topology& topology, const
   for (int i = topology.n_axial_lines; i < topology.n_lines; i++)
     pull_line<false>(s, topology.line_nodes + topology.line_start[i], topology.line_start[i + 1] - topology.line_start[i],
                      parameter, diagonal, power);
-  if (topology.torsion) twist_cells(s, topology, parameter, power);
+  if (topology.features.torsion) twist_cells(s, topology, parameter, power);
   tally.joint_loss += power * parameter[TIME_STEP];
 }
 
@@ -195,7 +201,8 @@ PLATEGAIT_HD void meet_plate(const State<R>& s, const Topology& topology, const 
   const R mu_s = parameter[STATIC_FRICTION], mu_k = parameter[KINETIC_FRICTION], V = parameter[STATIC_SPEED];
   const Mask<R> smooth = parameter[SMOOTH_FRICTION] > half;
   const R inverse_rise = one / V, inverse_fall = one / (parameter[KINETIC_SPEED] - V);
-  const R inverse_ramp = one / (parameter[CONTACT_RAMP] + number<R>(1e-12)), mass_rate = mass / dt;
+  const R ramp = parameter[CONTACT_RAMP], inverse_ramp = one / larger(ramp, number<R>(1e-12)), mass_rate = mass / dt;
+  const R half_length = parameter[PLATE_HALF_LENGTH], half_width = parameter[PLATE_HALF_WIDTH];
   const R weight = mass * parameter[GRAVITY];
   R left = zero, right = zero, touching = zero, sum_y = zero;
   R contact_work = zero, friction_loss = zero, plate_work = zero;
@@ -204,23 +211,30 @@ PLATEGAIT_HD void meet_plate(const State<R>& s, const Topology& topology, const 
     Vec3<R> other = s.f.get(k);
     other.z = other.z - weight;
     const R depth = zero - dot(r, plate.normal);
-    const R along = dot(r, plate.ex), across = dot(r, plate.ey);
-    const Mask<R> over_plate = (along < parameter[PLATE_HALF_LENGTH]) & (zero - along < parameter[PLATE_HALF_LENGTH]) &
-                               (across < parameter[PLATE_HALF_WIDTH]) & (zero - across < parameter[PLATE_HALF_WIDTH]);
-    const R reach = select(over_plate, depth, number<R>(-1));
+    const R across = dot(r, plate.ey);
+    R reach = depth;
+    if (topology.features.plate_edge) {
+      const R along = dot(r, plate.ex);
+      const Mask<R> over_plate = (along < half_length) & (zero - along < half_length) & (across < half_width) &
+                                 (zero - across < half_width);
+      reach = select(over_plate, depth, number<R>(-1));
+    }
     const Vec3<R> plate_velocity = plate.velocity + cross(plate.turning, r);
     const Vec3<R> u = v - plate_velocity;
     const R separating = dot(u, plate.normal), other_normal = inverse_mass * dot(other, plate.normal);
-    const R force = normal_force(reach, separating, other_normal, inverse_mass, dt, parameter[CONTACT_STIFFNESS],
-                                 parameter[CONTACT_DAMPING], inverse_ramp);
+    R damping = parameter[CONTACT_DAMPING];
+    if (topology.features.contact_ramp)
+      damping = select(ramp > zero, contact_damping(larger(reach, zero), damping, inverse_ramp), damping);
+    const R force = normal_force(reach, separating, other_normal, inverse_mass, dt, parameter[CONTACT_STIFFNESS], damping);
 
     // Slip that the step would end with were there no friction; friction may stop it, never reverse it.
     const Vec3<R> free = u + (dt * inverse_mass) * other;
     const Vec3<R> slip = free - dot(free, plate.normal) * plate.normal;
     const R slip_squared = dot(slip, slip) + number<R>(1e-20);
     const R inverse_slip = reciprocal_sqrt(slip_squared), speed = slip_squared * inverse_slip;
-    const R mu = select(smooth, smooth_friction_coefficient(speed, mu_s, mu_k, V, inverse_rise, inverse_fall),
-                        friction_coefficient(speed, mu_s, mu_k, V));
+    R mu = friction_coefficient(speed, mu_s, mu_k, V);
+    if (topology.features.smooth_friction)
+      mu = select(smooth, smooth_friction_coefficient(speed, mu_s, mu_k, V, inverse_rise, inverse_fall), mu);
     const R drag = smaller(mu * force, mass_rate * speed) * inverse_slip;
 
     const Vec3<R> from_plate = force * plate.normal - drag * slip;

@@ -128,7 +128,10 @@ def fit_curve(curve: Curve) -> Curve:
     """Same curve with the Lorentz fit (5.5) of its `fitted` points, or with the reason why there is none."""
     kept = curve.fitted
     try:
-        fit = fit_lorentzian(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept])
+        ends_in_failure = any(
+            curve.failure[i] for i in np.nonzero(curve.frequency_hz > curve.frequency_hz[kept].max(initial=0))[0]
+        )
+        fit = fit_lorentzian(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept], ends_in_failure=ends_in_failure)
     except InputError as error:
         return replace(curve, fit=None, no_fit=str(error))
     return replace(curve, fit=fit, no_fit="")

@@ -120,7 +120,12 @@ def first_guess(frequency: ArrayLike, rate: ArrayLike) -> tuple[float, float, fl
 
 
 def fit_lorentzian(
-    frequency: ArrayLike, rate: ArrayLike, *, sd: ArrayLike | None = None, confidence: float = 0.95
+    frequency: ArrayLike,
+    rate: ArrayLike,
+    *,
+    sd: ArrayLike | None = None,
+    confidence: float = 0.95,
+    ends_in_failure: bool = False,
 ) -> LorentzFit:
     """Fit (5.5) to a spin curve by least squares, as section 5.3.2 does (Levenberg-Marquardt).
 
@@ -135,6 +140,9 @@ def fit_lorentzian(
         residuals are too large for it by a χ² test at 1 %.
     confidence : float
         Coverage asked of the intervals.
+    ends_in_failure : bool
+        Whether the object ran off at the next higher frequency. Then a curve that only rises ends at its peak, as the
+        source's do at A_p = 12 deg, and is not refused for it.
 
     Returns
     -------
@@ -150,12 +158,12 @@ def fit_lorentzian(
         - the interval of f0 is wider than the span of the frequencies, or
         - f0 lies more than b/√3 outside them, so that they stop before the line's inflection and nothing bends, or
         - b is under a thousandth of their span: one rate stands out and no flank is seen, or
-        - a straight line or an exponential fits better by an F test at 1 %.
+        - a straight line or an exponential fits better by an F test at 1 %, unless the curve ends in failure.
     """
     f, y, sds = _checked(frequency, rate, sd, confidence)
     curve = _Curve(f, y, sds)
     best, cost = curve.best_of(curve.starts())
-    if fault := curve.fault(best, cost):
+    if fault := curve.fault(best, cost, ends_in_failure):
         raise _no_peak(f, y, fault)
     threshold, given = _threshold(cost, len(f) - 3, sd is not None, confidence)
     bounds, method = curve.intervals(best, cost, threshold)
@@ -290,7 +298,7 @@ class _Curve:
         """Weighted sum of squares about the weighted mean."""
         return float(np.sum((self.w * (self.v - np.average(self.v, weights=self.w**2))) ** 2))
 
-    def fault(self, best: _Array, cost: float) -> str | None:
+    def fault(self, best: _Array, cost: float, ends_in_failure: bool) -> str | None:
         """What speaks against a peak before any interval, if anything does: see `fit_lorentzian`."""
         from scipy.special import fdtri
 
@@ -299,7 +307,10 @@ class _Curve:
             return f"no bend from {self.f.min():g} to {self.f.max():g} Hz"
         if best[2] < -np.log(1000):
             return "a peak too sharp for the frequencies to resolve"
-        if cost / dof > fdtri(dof, rival_dof, 1 - _SIGNIFICANCE) * self.monotone_cost() / rival_dof:
+        if (
+            not ends_in_failure
+            and cost / dof > fdtri(dof, rival_dof, 1 - _SIGNIFICANCE) * self.monotone_cost() / rival_dof
+        ):
             return "a curve that a straight line or an exponential fits better"
         return None
 

@@ -18,7 +18,7 @@ from plategait.units import Acceleration, Angle, Delay, Duration, Length, Offset
 
 # Step that the reference disk's spin rates allow within 2 % (docs/numerics.md), and the share of the stable step that
 # stiffer or finer sheets take.
-LARGEST_TIME_STEP = 1e-4
+LARGEST_TIME_STEP = 6e-5
 SHARE_OF_STABLE_STEP = 0.85
 
 
@@ -83,7 +83,7 @@ class Scenario(Model):
 
     @property
     def dt(self) -> float:
-        """Time step used, s: the one given, or the smaller of 1e-4 s and 85 % of the stable one."""
+        """Time step used, s: the one given, or the smaller of 6e-5 s and 85 % of the stable one."""
         if self.time_step is not None:
             return self.time_step
         return min(LARGEST_TIME_STEP, SHARE_OF_STABLE_STEP * self.sheet.stable_time_step)

@@ -348,7 +348,7 @@ def free_disk_parameter(diameters: int, circles: int, poisson: float = 0.0) -> f
     """Frequency parameter λ² = ω R² √(σ / D) of a free circular Kirchhoff plate.
 
     The deflection (A J_n(λr/R) + C I_n(λr/R)) cos nφ must carry neither bending moment nor Kelvin-Kirchhoff shear at
-    the edge (A. W. Leissa, Vibration of Plates, 1969, section 2.1.3); λ is the root that this leaves.
+    the edge (A. W. Leissa, Vibration of Plates, 1969, chapter 2); λ is the root that this leaves.
 
     Parameters
     ----------

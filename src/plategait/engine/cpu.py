@@ -166,7 +166,13 @@ def _advance(
     lattice, n = runs[0].lattice, len(runs)
     rows = [parameters_of(r.scenario) for r in runs]
     parameters = np.array([[row[name] for row in rows] for name in _native.PARAMETERS])
-    torsion = any(row["torsion_stiffness"] or row["torsion_damping"] for row in rows)
+    # In the order of the core's `Features`: phases that no run of the batch needs are left out.
+    features = [
+        any(row["torsion_stiffness"] or row["torsion_damping"] for row in rows),
+        any(row["smooth_friction"] for row in rows),
+        any(r.scenario.plate is not None for r in runs),
+        any(row["contact_ramp"] for row in rows),
+    ]
     term_dof, terms = _terms(runs)
     line_start, line_nodes = _lines(lattice)
     steps = np.array([r.steps for r in runs], dtype=np.int64)
@@ -180,7 +186,7 @@ def _advance(
     x1, v1, steps_done = np.zeros_like(x0), np.zeros_like(x0), np.zeros(n, dtype=np.int64)
     getattr(_native, f"advance_{precision}")(
         line_start=line_start, line_nodes=line_nodes, n_axial_lines=len(lattice.axial_lines), cells=lattice.cells,
-        rest=lattice.rest, mobility=lattice.mobility, torsion=bool(torsion), parameters=parameters, term_dof=term_dof,
+        rest=lattice.rest, mobility=lattice.mobility, features=features, parameters=parameters, term_dof=term_dof,
         terms=terms, table=_tables(runs), steps=steps, stride=stride, thinning=thinning, x0=x0, v0=v0,
         samples=samples, snapshots=snapshots, x1=x1, v1=v1, steps_done=steps_done, level=level,
         threads=max(1, threads), progress=report,

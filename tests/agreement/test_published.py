@@ -1,0 +1,75 @@
+"""The published spin curves: where they peak, how the gait changes along them, soft against rigid."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from published import F0, frequencies, scenario
+
+from plategait.curve import spin_curve
+from plategait.observables import GAITS
+from plategait.presets import preset
+from plategait.simulation import simulate, simulate_all
+
+ORDER = {gait: i for i, gait in enumerate((*GAITS, "failed"))}
+
+
+@pytest.fixture(scope="module")
+def curves():
+    return {case: spin_curve(scenario(*case), frequencies(case[0]), repeats=4, seed=1) for case in F0}
+
+
+@pytest.mark.parametrize("case", F0, ids=lambda c: f"{c[0]}deg-{c[1]:g}pi")
+def test_peaks_lie_where_they_were_published(curves, case):
+    # The issue's 5 %; the largest deviation measured is 4.7 %, at 33π, where the source contradicts itself by 3 %.
+    assert curves[case].peak_frequency == pytest.approx(F0[case], rel=0.05)
+
+
+def test_stiffer_sheets_peak_at_higher_frequencies(curves):
+    for angle in (3, 12):
+        cases = sorted(c for c in F0 if c[0] == angle)
+        peaks = [curves[c].peak_frequency for c in cases]
+        # 1.4π and 3.5π at 12 deg were published 0.2 Hz apart, half a frequency step.
+        assert peaks[-1] > peaks[0] + 0.5
+        assert np.all(np.diff(peaks) > -0.3)
+
+
+@pytest.mark.parametrize(("angle", "omega"), [(6, 23.0), (12, 15.0), (12, 23.0), (6, 33.0)])
+def test_gaits_follow_in_order_as_the_frequency_rises(angle, omega):
+    # Sliding → walking → running → failed. All four appear, and none returns once its successor has set in.
+    f = np.arange(8, 28, 1.0) if angle == 6 else np.arange(6, 20, 0.5)
+    simulations = simulate_all(
+        [scenario(angle, omega).replace(**{"motion.frequency": x}) for x in f], repeats=4, seed=1
+    )
+    steps = [ORDER["failed" if s.failed else s.gait] for s in simulations]
+    assert set(steps) == set(ORDER.values())
+    first = [steps.index(i) for i in ORDER.values()]
+    assert first == sorted(first)
+    # A lone failure before the run-off (chaotic wandering) is allowed for; a gait out of order is not.
+    gaits = [s for s in steps[: len(steps) - steps[::-1].index(2)] if s < 3]
+    assert gaits == sorted(gaits)
+
+
+def test_the_cheese_slides_then_walks_then_fails():
+    steps = [ORDER["failed" if s.failed else s.gait] for s in simulate_all(
+        [scenario(12, 10.0).replace(**{"motion.frequency": x}) for x in np.arange(6, 16, 0.5)], repeats=4, seed=1
+    )]  # fmt: skip
+    assert steps == sorted(steps)
+    assert {0, 1, 3} <= set(steps)
+
+
+def test_a_soft_disk_spins_several_times_as_fast_as_its_rigid_twin():
+    # Section 2.4: 56.6 against 15.7 deg/s at the same plate motion. Here, the best of each before it fails.
+    best = {}
+    for omega in (10.0, 320.0):
+        curve = spin_curve(scenario(3, omega), np.arange(12, 28, 1.0), repeats=4, seed=1)
+        best[omega] = curve.spin_rate_deg_s[curve.fitted].max()
+    assert best[10.0] > 3 * best[320.0] > 0
+
+
+def test_the_spin_rate_at_12_deg_and_12_hz_is_near_the_published_one():
+    # Fig. 4.3: 350 deg/s in the source's simulation. Ours are 10 to 20 % lower throughout (docs/fidelity.md).
+    result = simulate(preset("cheese").scenario.replace(**{"motion.frequency": 12.0, "motion.angle": math.radians(12)}))
+    assert math.degrees(result.spin_rate) == pytest.approx(350, rel=0.20)

@@ -1,0 +1,190 @@
+"""Numbers with units: what is read, what is refused, and that what is suggested instead works."""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+from fractions import Fraction
+from typing import get_args
+
+import numpy as np
+import pint
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from plategait import units
+from plategait.errors import InputError
+from plategait.units import ANGLE, ANGULAR_FREQUENCY, FREQUENCY, STROKE, Quantity, parse, show
+
+BENDING = Quantity("N*m/rad", "N*mm/deg", "2.72e-3 N*mm/deg", at_least=0)
+LENGTH = get_args(units.Length)[1]
+COEFFICIENT = get_args(units.Coefficient)[1]
+QUANTITIES = {
+    name: found
+    for name, value in vars(units).items()
+    for found in (value, *get_args(value)[1:])
+    if isinstance(found, Quantity)
+}
+
+
+def pint_text(unit: str) -> str:
+    return unit.replace("^", "**").replace("²", "**2")
+
+
+def refused(quantity: Quantity, value: object) -> InputError:
+    with pytest.raises(InputError) as caught:
+        quantity.read(value, "the_field")
+    error = caught.value
+    assert str(error).startswith("the_field: got ")
+    assert "\n" not in str(error)
+    # The suggestion is not decoration: it is read, and lies within the limits.
+    quantity.read(error.hint.strip('"'), "the_field")
+    return error
+
+
+def test_every_quantity_of_the_module_is_found():
+    assert len(QUANTITIES) >= 20
+
+
+@pytest.mark.parametrize("unit", units._COMMON)
+def test_a_common_unit_is_what_pint_says(unit):
+    factor, si = units._COMMON[unit]
+    expected = pint.UnitRegistry().parse_expression(pint_text(unit)).to(pint_text(si)).magnitude
+    assert factor == pytest.approx(expected, rel=1e-14)  # a few products of floats apart
+    assert parse(f"3 {unit}", si) == pytest.approx(3 * expected, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("text", "quantity", "expected"),
+    [
+        ("12 deg", ANGLE, math.radians(12)),
+        ("12deg", ANGLE, math.radians(12)),
+        ("  12   deg ", ANGLE, math.radians(12)),
+        ("12°", ANGLE, math.radians(12)),
+        ("-1.5e1 deg", ANGLE, math.radians(-15)),
+        ("0.2", ANGLE, 0.2),
+        (".5 rad", ANGLE, 0.5),
+        ("3 mm", STROKE, 3e-3),
+        ("3000 µm", STROKE, 3e-3),
+        ("0.5 inch", STROKE, 0.0127),  # by way of pint
+        ("24 Hz", FREQUENCY, 24.0),
+        ("0.024 kHz", FREQUENCY, 24.0),
+        ("10 pi rad/s", ANGULAR_FREQUENCY, 10 * math.pi),
+        ("10 π rad/s", ANGULAR_FREQUENCY, 10 * math.pi),
+        ("10pi rad/s", ANGULAR_FREQUENCY, 10 * math.pi),
+        ("10 pi*rad/s", ANGULAR_FREQUENCY, 10 * math.pi),
+        ("5 Hz", ANGULAR_FREQUENCY, 10 * math.pi),
+        ("0.005 kHz", ANGULAR_FREQUENCY, 10 * math.pi),
+        ("360 deg/s", ANGULAR_FREQUENCY, 2 * math.pi),
+        ("2.72e-3 N*mm/deg", BENDING, 2.72e-6 * 180 / math.pi),
+        ("2.72e-3 N·mm/deg", BENDING, 2.72e-6 * 180 / math.pi),
+        ("0.75", COEFFICIENT, 0.75),
+    ],
+)
+def test_text_becomes_si(text, quantity, expected):
+    assert quantity.read(text, "f") == pytest.approx(expected, rel=1e-14)  # rounding of a few factors
+
+
+@pytest.mark.parametrize("number", [2, 2.0, np.float64(2), np.float32(2), Fraction(2), Decimal(2), "2", " 2.0 "])
+@pytest.mark.parametrize("name", sorted(QUANTITIES))
+def test_a_bare_number_is_si(name, number):
+    assert QUANTITIES[name].read(number, "f") == 2.0
+
+
+@given(value=st.floats(1e-12, 1e12) | st.floats(-1e12, -1e-12) | st.just(0.0), name=st.sampled_from(sorted(QUANTITIES)))
+def test_shown_text_reads_back(value, name):
+    quantity = QUANTITIES[name]
+    back = parse(show(value, quantity.unit, quantity.display), quantity.unit)
+    assert back == pytest.approx(value, rel=1e-9, abs=0)  # ten digits, as `show` promises
+
+
+@pytest.mark.parametrize("name", sorted(QUANTITIES))
+def test_every_example_works(name):
+    quantity = QUANTITIES[name]
+    assert quantity.read(quantity.example, "f") == parse(quantity.example, quantity.unit)
+
+
+@pytest.mark.parametrize("name", sorted(QUANTITIES))
+@pytest.mark.parametrize(
+    "value",
+    [math.nan, math.inf, -math.inf, "nan", "inf", "-inf", "1e400", True, False, None, [], [1.0], (1.0,), {}, b"3",
+     object, 1j, "", " ", "--", "abc", "12 deg3", "12 furlongs^3", "mm 12", "deg", "1 2", "0x10", "12 m/0", "3 kelvin"],
+    ids=repr,
+)  # fmt: skip
+def test_what_is_no_such_number_is_refused(name, value):
+    assert refused(QUANTITIES[name], value).got is value
+
+
+@pytest.mark.parametrize(
+    "value",
+    [10**400, np.array([1.0, 2.0]), np.array([0.5]), np.True_, np.complex128(1), 3 * pint.UnitRegistry().second],
+    ids=["huge integer", "array", "array of one", "numpy bool", "numpy complex", "pint quantity"],
+)
+def test_what_only_looks_like_a_number_is_refused(value):
+    refused(LENGTH, value)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "text"),
+    [(LENGTH, "3 deg"), (LENGTH, "3 s"), (LENGTH, "3 mm^2"), (ANGLE, "3 mm"), (FREQUENCY, "3 s"), (FREQUENCY, "3 rad"),
+     (FREQUENCY, "150 rad/s"), (BENDING, "3 N/mm"), (ANGULAR_FREQUENCY, "3 rad"), (COEFFICIENT, "3 mm"),
+     (COEFFICIENT, "3 deg")],
+)  # fmt: skip
+def test_the_wrong_dimension_is_refused(quantity, text):
+    refused(quantity, text)
+
+
+@pytest.mark.parametrize("name", sorted(name for name, q in QUANTITIES.items() if max(q.above, q.at_least) >= 0))
+def test_a_negative_value_is_refused_where_the_least_is_zero(name):
+    quantity = QUANTITIES[name]
+    refused(quantity, -1.0)
+    refused(quantity, f"-1 {quantity.display}")
+    if quantity.above == 0:
+        refused(quantity, 0)
+    else:
+        assert quantity.read(0, "f") == 0.0
+
+
+@pytest.mark.parametrize("text", ["12,5 mm", "1 2 mm", "12 2mm", "1,000 mm", "12+3 mm", "12%mm", "12 mm # x"])
+def test_text_with_more_than_a_number_and_a_unit_is_refused(text):
+    # A decimal comma must not be read as a product: 12,5 mm is neither 60 mm nor 12 mm.
+    refused(LENGTH, text)
+
+
+@given(
+    first=st.integers(1, 999),
+    second=st.integers(1, 999),
+    joint=st.sampled_from([",", ", ", " ", "+", " + ", "-", "*", " * ", "/", "^", "**", "_", "'", ";", ":", "e "]),
+)
+def test_two_numbers_are_no_number(first, second, joint):
+    refused(LENGTH, f"{first}{joint}{second} mm")
+
+
+@pytest.mark.parametrize(
+    ("quantity", "text", "right"),
+    [
+        (ANGULAR_FREQUENCY, "5 hertz", 10 * math.pi),
+        (ANGULAR_FREQUENCY, "5000 mHz", 10 * math.pi),
+        (ANGULAR_FREQUENCY, "60 rpm", 2 * math.pi),
+        (FREQUENCY, "60 rpm", 1.0),
+        (FREQUENCY, "360 deg/s", 1.0),
+        (FREQUENCY, "24 turn/s", 24.0),
+    ],
+)
+def test_turns_and_radians_are_not_mixed_up(quantity, text, right):
+    # A unit of turns may be refused, but never be wrong by 2π.
+    try:
+        value = quantity.read(text, "f")
+    except InputError:
+        return
+    assert value == pytest.approx(right, rel=1e-14)
+
+
+def test_the_message_names_field_value_range_and_a_way_out():
+    assert str(refused(LENGTH, -1)) == (
+        'the_field: got -1, must be a number in mm or another unit of m above 0 mm; try "10 mm"'
+    )
+    limited = Quantity("m", "mm", "3 mm", at_least=1e-3, at_most=5e-3)
+    assert "at least 1 mm and at most 5 mm" in str(refused(limited, "6 mm"))
+    assert limited.read("5 mm", "f") == limited.at_most
