@@ -17,7 +17,7 @@ from plategait.lorentz import LorentzFit, fit_lorentzian
 from plategait.observables import GAITS
 from plategait.output import whole_file
 from plategait.scenario import Scenario
-from plategait.simulation import Simulation, simulate_all
+from plategait.simulation import Simulation, plain, simulate_all
 from plategait.units import FREQUENCY
 
 COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure")
@@ -121,7 +121,7 @@ def fit_summary(fit: LorentzFit | None) -> dict[str, Any]:
         ("peak_deg_s", "peak_interval"),
     ):
         numbers[f"{key}_interval"] = list(getattr(fit, name)) if fit else None
-    return numbers
+    return {key: plain(value) for key, value in numbers.items()}
 
 
 def fit_curve(curve: Curve) -> Curve:
@@ -184,22 +184,20 @@ def parse_frequencies(text: str) -> list[float]:
         When it says anything else.
     """
     separator = ":" if ":" in text else ","
-    parts = [part.strip() for part in text.split(separator)]
-    unit = parts[-1].lstrip("0123456789.eE+- ")
+    pieces = [piece.strip() for piece in text.split(separator)]
+    unit = pieces[-1].lstrip("0123456789.eE+- ")
     try:
-        numbers = [
-            FREQUENCY.read(part if part.endswith(unit) and unit else f"{part}{unit}", "frequency") for part in parts
-        ]
+        # A piece without a unit takes that of the last.
+        numbers = [FREQUENCY.read(p if p[-1:].isalpha() else f"{p} {unit}", "frequency") for p in pieces]
     except InputError:
         numbers = []
-    if separator == ":" and len(numbers) == 3 and numbers[1] >= numbers[0]:
-        first, last, step = numbers
-        if (last - first) / step > 1e5:
-            numbers = []
-        else:
-            return [round(first + i * step, 9) for i in range(math.floor((last - first) / step + 1e-6) + 1)]
     if separator == "," and numbers:
         return numbers
+    if len(numbers) == 3 and numbers[1] >= numbers[0]:
+        first, last, step = numbers
+        count = (last - first) / step + 1
+        if count < 1e5:
+            return [float(f"{first + i * step:.12g}") for i in range(math.floor(count + 1e-6))]
     raise InputError("frequency", text, "first:last:step with a unit, last not below first", '"12:30:1Hz"')
 
 
@@ -226,41 +224,40 @@ def read_curve(path: Path | str) -> Curve:
     path = Path(path)
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
-            rows = list(csv.DictReader(file))
+            reader = csv.reader(file)
+            table = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if row]
     except (OSError, UnicodeDecodeError, csv.Error):
-        raise InputError(
-            "curve", str(path), "a CSV file that can be read", "plategait curve cheese --out curve.csv"
-        ) from None
-    found = [c for c in (rows[0] if rows else {}) if c is not None]
-    if not {"frequency_hz", "spin_rate_deg_s"} <= set(found):
-        raise InputError("curve", f"columns {', '.join(found) or 'none'}", "frequency_hz and spin_rate_deg_s, with rows",
-                         "a first line frequency_hz,spin_rate_deg_s")  # fmt: skip
+        hint = "plategait curve cheese --out curve.csv"
+        raise InputError("curve", str(path), "a CSV file that can be read", hint) from None
+    head = table[0][1] if table else []
+    if not {"frequency_hz", "spin_rate_deg_s"} <= set(head) or len(table) < 2:
+        found = f"{len(table[1:])} rows of {', '.join(head) or 'nothing'}"
+        raise InputError("curve", found, "rows of frequency_hz and spin_rate_deg_s", "frequency_hz,spin_rate_deg_s")
+    rows = [dict(zip(head, cells, strict=False)) for _, cells in table[1:]]
+    lines = [line for line, _ in table[1:]]
 
-    def number(row: dict[str, str | None], column: str, line: int) -> float:
-        text = (row.get(column) or "").strip()
-        try:
-            value = float(text) if text else math.nan
-        except ValueError:
-            value = math.inf
-        missing_frequency = column == "frequency_hz" and not value > 0
-        if math.isinf(value) or missing_frequency or (math.isnan(value) and text):
-            allowed = "a number above 0" if column == "frequency_hz" else "a number, or empty"
-            raise InputError(f"{path.name} line {line}, {column}", text or "nothing", allowed, "24.0")
-        return value
+    def numbers(column: str, allowed: str, least: float, required: bool = False) -> NDArray[np.float64]:
+        """One column; an empty cell is not known."""
+        values = []
+        for row, line in zip(rows, lines, strict=True):
+            text = row.get(column, "")
+            try:
+                value = float(text) if text or required else math.nan
+            except ValueError:
+                value = math.inf
+            if not (value > least and math.isfinite(value)) and (text or required):
+                raise InputError(f"{path.name} line {line}, {column}", text or "nothing", allowed, "24.0")
+            values.append(value)
+        return np.array(values)
 
-    def numbers(column: str) -> NDArray[np.float64]:
-        return np.array([number(row, column, i) for i, row in enumerate(rows, start=2)])
-
-    gait = tuple((row.get("gait") or "").strip() for row in rows)
+    gait = tuple(row.get("gait", "") for row in rows)
     if unknown := set(gait) - {"", *GAITS}:
         raise InputError("gait", unknown.pop(), f"one of {', '.join(GAITS)}, or empty", "walking")
     return Curve(
         name=path.stem,
-        frequency_hz=numbers("frequency_hz"),
-        spin_rate_deg_s=numbers("spin_rate_deg_s"),
-        spin_rate_sd_deg_s=numbers("spin_rate_sd_deg_s")
-        if "spin_rate_sd_deg_s" in found
-        else np.full(len(rows), math.nan),
+        frequency_hz=numbers("frequency_hz", "a number above 0", 0.0, required=True),
+        spin_rate_deg_s=numbers("spin_rate_deg_s", "a number, or empty", -math.inf),
+        spin_rate_sd_deg_s=numbers("spin_rate_sd_deg_s", "a number, at least 0, or empty", -1e-300),
         gait=gait,
-        failure=tuple((row.get("failure") or "").strip() for row in rows),
+        failure=tuple(row.get("failure", "") for row in rows),
     )

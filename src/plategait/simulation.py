@@ -140,7 +140,10 @@ class Simulation:
         """95 % interval of the spin rate, rad/s: within the run, or of the ensemble's mean."""
         if len(self._valid) == 1:
             return self._valid[0].spin.low, self._valid[0].spin.high
-        half = 1.96 * self.spin_rate_sd / math.sqrt(max(1, len(self._valid)))
+        rates = [o.spin.rate for o in self._valid if math.isfinite(o.spin.rate)]
+        if len(rates) < 2:
+            return math.nan, math.nan
+        half = observables.student_95(len(rates) - 1) * self.spin_rate_sd / math.sqrt(len(rates))
         return self.spin_rate - half, self.spin_rate + half
 
     @property
@@ -149,8 +152,7 @@ class Simulation:
         rates = [o.spin.rate for o in self._valid if math.isfinite(o.spin.rate)]
         if len(rates) > 1:
             return float(np.std(rates, ddof=1))
-        low, high = self._valid[0].spin.low, self._valid[0].spin.high
-        return (high - low) / 2 / 2.365 * math.sqrt(observables.BLOCKS)
+        return self._valid[0].spin.sd
 
     @property
     def settled(self) -> bool:
@@ -197,7 +199,7 @@ class Simulation:
             "wall_s": self.wall,
             "simulated_s_per_wall_s": self.simulated / self.wall if self.wall > 0 else None,
         }
-        return {key: _plain(value) for key, value in numbers.items()}
+        return {key: plain(value) for key, value in numbers.items()}
 
     def to_dataset(self) -> xarray.Dataset:
         """Labelled samples, shapes and summary of every run (see `plategait.dataset`)."""
@@ -206,11 +208,11 @@ class Simulation:
         return dataset_of(self)
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """JSON knows no NaN."""
     if isinstance(value, float) and not math.isfinite(value):
         return None
-    return [_plain(v) for v in value] if isinstance(value, list) else value
+    return [plain(v) for v in value] if isinstance(value, list) else value
 
 
 def starts(repeats: int, seed: int) -> list[tuple[float, float, float]]:
@@ -279,8 +281,11 @@ def simulate_all(
 
     if engine not in ENGINES:
         raise InputError("engine", engine, f"one of {', '.join(ENGINES)}", "cpu")
-    if repeats < 1:
-        raise InputError("repeats", repeats, "1 or more", "4")
+    for name, number, least in (("repeats", repeats, 1), ("seed", seed, 0)):
+        if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or not least <= number <= 10**6:
+            raise InputError(name, number, f"a whole number from {least} to a million", str(max(least, 4)))
+    if not 0 <= snapshot_interval < math.inf:
+        raise InputError("snapshot_interval", snapshot_interval, "a time in s, at least 0", "0.002")
     if not scenarios:
         raise InputError("scenarios", "nothing", "at least one scenario", 'preset("cheese").scenario')
     offsets = starts(repeats, seed)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+from typer.exceptions import TyperException
 
 from plategait.cli import options, report
 from plategait.errors import InputError
@@ -15,6 +17,11 @@ from plategait.presets import PRESETS, preset
 from plategait.scenario import write_scenario
 from plategait.units import FREQUENCY
 
+if TYPE_CHECKING:
+    from plategait.curve import Curve
+    from plategait.simulation import Simulation
+
+INTERRUPTED = 130
 PICTURES = (".png", ".pdf", ".svg")
 
 app = typer.Typer(
@@ -199,7 +206,9 @@ def _check_outputs(*outputs: tuple[Path | None, tuple[str, ...], str]) -> None:
             check_writable(path, suffixes, option)
 
 
-def _write_pictures(result, out: Path | None, plot: Path | None, film: Path | None, filmstrip: Path | None) -> None:
+def _write_pictures(
+    result: Simulation, out: Path | None, plot: Path | None, film: Path | None, filmstrip: Path | None
+) -> None:
     if out:
         from plategait.dataset import write_dataset
 
@@ -217,7 +226,7 @@ def _write_pictures(result, out: Path | None, plot: Path | None, film: Path | No
             render.filmstrip(result.scenario, result.recordings[0], filmstrip)
 
 
-def _plot_curve(result, plot: Path | None) -> None:
+def _plot_curve(result: Curve, plot: Path | None) -> None:
     if plot:
         from plategait.plots import plot_curve, save
 
@@ -225,12 +234,24 @@ def _plot_curve(result, plot: Path | None) -> None:
 
 
 def main() -> None:
-    """Run the command line; bad input is one line on standard error."""
+    """Run the command line; whatever is wrong is one line on standard error."""
     try:
-        app()
+        # Not standalone, or typer would box its usage errors. An exit status is returned then, 130 for an interrupt.
+        status = app(standalone_mode=False)
+        sys.stdout.flush()
+        if status == INTERRUPTED:
+            raise KeyboardInterrupt
     except InputError as error:
-        print(f"plategait: {error}", file=sys.stderr)
-        sys.exit(2)
+        status, message = 2, str(error)
+    except TyperException as error:
+        status, message = 2, f"{error.format_message().rstrip('.')}; try plategait --help"
     except KeyboardInterrupt:
-        print("plategait: interrupted, nothing written", file=sys.stderr)
-        sys.exit(130)
+        status, message = INTERRUPTED, "interrupted, nothing written"
+    except OSError as error:
+        status, message = 2, f"{error.strerror or error}; try another place with room to write"
+        # What could not be printed is not printed again at exit.
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115
+    else:
+        sys.exit(status or 0)
+    print(f"plategait: {message}", file=sys.stderr)
+    sys.exit(status)

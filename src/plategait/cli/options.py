@@ -42,12 +42,12 @@ Plot = Annotated[Path | None, typer.Option("--plot", help="Write a plot: .png, .
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
 
 
-def load(name: str) -> Scenario:
+def load(name: str, field: str = "scenario") -> Scenario:
     """Scenario of a preset's name or a file."""
     if name in PRESETS:
         return preset(name).scenario
     if not Path(name).suffix and not Path(name).exists():
-        raise InputError("scenario", name, f"a TOML file or one of {', '.join(PRESETS)}", "cheese")
+        raise InputError(field, name, f"a TOML file or one of {', '.join(PRESETS)}", "cheese")
     return read_scenario(name)
 
 
@@ -69,7 +69,7 @@ def build(
     scenario = load(name)
     changes: dict[str, Any] = {}
     if sheet is not None:
-        changes["sheet"] = load(sheet).sheet
+        changes["sheet"] = load(sheet, "--sheet").sheet
     if natural_frequency is not None:
         omega = ANGULAR_FREQUENCY.read(natural_frequency, "--natural-frequency")
         changes["sheet"] = changes.get("sheet", scenario.sheet).with_natural_frequency(omega)

@@ -21,19 +21,20 @@ _PATIENCE = 1.0
 
 def print_json(numbers: dict[str, Any]) -> None:
     """Print one JSON object."""
-    print(json.dumps(numbers, indent=2, ensure_ascii=False))
+    print(json.dumps(numbers, indent=2, ensure_ascii=False, allow_nan=False))
 
 
 def _table(title: str, columns: list[str], rows: list[list[str]]) -> None:
     from rich import box
     from rich.console import Console
+    from rich.markup import escape
     from rich.table import Table
 
-    table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD)
+    table = Table(title=escape(title), title_justify="left", box=box.SIMPLE_HEAD)
     for i, column in enumerate(columns):
         table.add_column(column, justify="left" if i == 0 else "right")
     for row in rows:
-        table.add_row(*row)
+        table.add_row(*map(escape, row))
     # A pipe has no width: leave room enough that nothing is folded.
     Console(width=None if sys.stdout.isatty() else 120).print(table)
 
