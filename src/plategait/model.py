@@ -9,6 +9,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import ErrorDetails
 
 from plategait.errors import InputError
+from plategait.units import Quantity
 
 if TYPE_CHECKING:
     from pydantic.fields import FieldInfo
@@ -30,27 +31,33 @@ class Model(_Fields):
         try:
             super().__init__(**data)
         except ValidationError as error:
-            raise _input_error(type(self), error.errors()[0]) from None
+            found = error.errors()
+            # A misspelt name is the cause where the right one is missing.
+            first = next((detail for detail in found if detail["type"] == "extra_forbidden"), found[0])
+            raise _input_error(type(self), first) from None
 
     def replace(self, **changes: Any) -> Any:
         """Copy with some fields changed, validated anew. Dotted names reach inside: ``{"sheet.pitch": "5 mm"}``."""
-        here: dict[str, Any] = {}
+        fields = {name: getattr(self, name) for name in type(self).model_fields}
+        fields |= {name: value for name, value in changes.items() if "." not in name}
         inside: dict[str, dict[str, Any]] = {}
         for name, value in changes.items():
-            head, _, rest = name.partition(".")
-            if not rest:
-                here[head] = value
-            elif isinstance(getattr(self, head, None), Model):
+            head, dot, rest = name.partition(".")
+            if dot:
                 inside.setdefault(head, {})[rest] = value
-            else:
-                raise _unknown_field(type(self), head)
         for name, nested in inside.items():
+            if name not in type(self).model_fields:
+                raise _unknown_field(type(self), name)
+            part = fields[name]
+            if not isinstance(part, Model):
+                rest, value = next(iter(nested.items()))
+                raise InputError(f"{name}.{rest}", value, f"left out, as {name} has no fields here",
+                                 f"{name} = {_example(type(self), name)}")  # fmt: skip
             try:
-                here[name] = getattr(self, name).replace(**nested)
+                fields[name] = part.replace(**nested)
             except InputError as error:
                 raise InputError(f"{name}.{error.field}", error.got, error.allowed, error.hint) from None
-        kept = {name: getattr(self, name) for name in type(self).model_fields}
-        return type(self)(**{**kept, **here})
+        return type(self)(**fields)
 
 
 def _unknown_field(model: type[Model], name: str) -> InputError:
@@ -59,29 +66,37 @@ def _unknown_field(model: type[Model], name: str) -> InputError:
     return InputError(name, "nothing known by that name", f"one of {', '.join(known)}", close[0] if close else known[0])
 
 
+def _example(model: type[Model], name: str) -> str:
+    """What to type for a field."""
+    field = model.model_fields[name]
+    quantity = next((m for m in field.metadata if isinstance(m, Quantity)), None)
+    return f'"{quantity.example}"' if quantity else str((field.examples or ["leaving it out"])[0])
+
+
 def _input_error(model: type[Model], detail: ErrorDetails) -> InputError:
-    """Turn pydantic's first finding into our one line."""
+    """Turn one finding of pydantic's into our one line."""
     inner = detail.get("ctx", {}).get("error")
     # The tags of a union of shapes are no part of a name that a user typed.
-    path = [str(part) for part in detail["loc"] if not (isinstance(part, str) and part in _TAGS)]
+    path = [str(part) for i, part in enumerate(detail["loc"]) if i == 0 or part not in _TAGS]
     field = ".".join(path)
     if isinstance(inner, InputError):
         return InputError(".".join(filter(None, [field, inner.field])), inner.got, inner.allowed, inner.hint)
     kind, got = detail["type"], detail.get("input")
-    if kind == "extra_forbidden" and len(path) == 1:
+    if kind == "extra_forbidden":
         return _unknown_field(model, field)
-    if kind == "missing":
-        return InputError(field, "nothing", "given", f'{path[-1]} = "…"')
-    if kind == "quantity":
-        context = detail.get("ctx", {})
-        return InputError(field, got, context["allowed"], context["hint"])
+    if kind == "missing" and len(path) == 1:
+        return InputError(field, "nothing", "given", f"{field} = {_example(model, field)}")
     if kind in ("union_tag_not_found", "union_tag_invalid"):
         return InputError(f"{field}.shape", got, f"one of {', '.join(sorted(_TAGS))}", '"disk"')
     if kind == "literal_error":
         expected = str(detail["ctx"]["expected"])  # type: ignore[typeddict-item]
         return InputError(field, got, f"one of {expected}", expected.split(" or ")[0].split(",")[0])
-    message = detail["msg"].removeprefix("Input should be ")
-    return InputError(field or model.__name__.lower(), got, message, "a value of that kind")
+    _, _, allowed = detail["msg"].partition("Input should be ")
+    if kind.startswith("model_"):
+        allowed = "a table of its fields"
+    elif kind == "tuple_type":
+        allowed = "a list"
+    return InputError(field, got, allowed or "of the right form", _example(model, path[0]))
 
 
 _TAGS = {"disk", "ellipse", "rectangle", "polygon", "mask"}

@@ -134,7 +134,8 @@ def free_modes(
     modes = []
     for i, m in enumerate(order):
         shape = shapes[:, m] / shapes[np.argmax(np.abs(shapes[:, m])), m]
-        ratio = float(rates[m] / (2 * omega[m])) if omega[m] > 0 else 0.0
+        # A mode without stiffness has no ratio to speak of.
+        ratio = float(rates[m] / (2 * omega[m])) if omega[m] > 1e-6 * omega.max() else 0.0
         modes.append(Mode(float(omega[m]), ratio, shape, names.get(i, "")))
     return Modes(tuple(modes))
 

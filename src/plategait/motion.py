@@ -23,8 +23,10 @@ Axis = Literal["x", "y", "z", "rx", "ry", "rz"]
 class Wave(Model):
     """One sine on one degree of freedom: amplitude · sin(2π · ratio · f · t + phase)."""
 
-    axis: Axis = Field(description="x (along the bar), y, z, or a rotation rx (about the bar), ry, rz")
-    amplitude: float = Field(description="length on x, y, z; angle on rx, ry, rz")
+    axis: Axis = Field(
+        description="x (along the bar), y, z, or a rotation rx (about the bar), ry, rz", examples=['"z"']
+    )
+    amplitude: float = Field(description="length on x, y, z; angle on rx, ry, rz", examples=["0.003"])
     ratio: Ratio = Field(default=1.0, description="frequency over the motion's frequency")
     phase: Angle = Field(default=0.0, description="phase at the start")
 
@@ -40,7 +42,7 @@ class Wave(Model):
 class Samples(Model):
     """A trajectory given point by point; missing axes stay put, and the last pose is kept. SI units."""
 
-    time: tuple[float, ...]
+    time: tuple[float, ...] = Field(examples=["[0.0, 0.01, 0.02]"])
     x: tuple[float, ...] = ()
     y: tuple[float, ...] = ()
     z: tuple[float, ...] = ()
@@ -62,7 +64,7 @@ class Samples(Model):
                     axis,
                     f"{len(values)} values",
                     f"{len(time)} finite values, one for each time",
-                    "values of equal length",
+                    f"[0.0] * {len(time)}",
                 )
         return self
 
@@ -86,8 +88,15 @@ class Samples(Model):
         return float(np.diff(self.time).min())
 
 
-def read_samples(path: Path) -> Samples:
+def read_samples(path: Path, field: str = "samples") -> Samples:
     """Read a trajectory from CSV with the columns time_s and any of x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg.
+
+    Parameters
+    ----------
+    path : Path
+        File to read.
+    field : str
+        What errors call it.
 
     Raises
     ------
@@ -98,21 +107,23 @@ def read_samples(path: Path) -> Samples:
         f"{a}_deg" if a.startswith("r") else f"{a}_mm": math.pi / 180 if a.startswith("r") else 1e-3 for a in AXES
     }
     try:
-        with open(path, newline="", encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
-    except (OSError, UnicodeDecodeError):
-        raise InputError("samples", str(path), "a CSV file that can be read", '"motion.csv"') from None
-    columns = list(rows[0]) if rows else []
-    if "time_s" not in columns or not set(columns) <= set(scale):
-        raise InputError("samples", f"columns {', '.join(map(str, columns)) or 'none'}",
-                         f"time_s and any of {', '.join(list(scale)[1:])}",
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            rows = [row for row in csv.reader(file) if row]
+    except (OSError, ValueError, csv.Error):
+        raise InputError(field, str(path), "a CSV file that can be read", '"motion.csv"') from None
+    names = rows.pop(0) if rows else []
+    if "time_s" not in names or not set(names) <= set(scale) or len(set(names)) < len(names):
+        raise InputError(field, f"columns {', '.join(names) or 'none'}",
+                         f"time_s and any of {', '.join(list(scale)[1:])}, once each",
                          "a first line such as time_s,x_mm,rx_deg")  # fmt: skip
     try:
-        return Samples(**{c.split("_")[0]: tuple(float(row[c]) * scale[c] for row in rows) for c in columns})
-    except (TypeError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError("samples", str(path), "numbers in every row", "a file without gaps") from None
+        columns = {
+            name.split("_")[0]: tuple(float(cell) * scale[name] for cell in column)
+            for name, column in zip(names, zip(*rows, strict=True), strict=True)
+        }
+    except ValueError:
+        raise InputError(field, str(path), "one number for each column in every row", "a file without gaps") from None
+    return Samples(**columns)
 
 
 class PlateMotion(Model):
@@ -128,13 +139,19 @@ class PlateMotion(Model):
     stroke: Offset = Field(default=0.003, description="B_p, linear amplitude along the bar")
     height: Offset = Field(default=0.0, description="height of the plate's surface above the axis that it turns about")
     ramp: Delay = Field(default=0.1, description="duration of the smooth start")
-    waves: tuple[Wave, ...] = Field(default=(), description="further sines, on any axis")
-    samples: Samples | None = Field(default=None, description="CSV file of a sampled trajectory")
+    waves: tuple[Wave, ...] = Field(
+        default=(),
+        description="further sines, on any axis",
+        examples=['[{ axis = "z", amplitude = "1 mm" }]'],
+    )
+    samples: Samples | None = Field(
+        default=None, description="CSV file of a sampled trajectory", examples=['"motion.csv"']
+    )
 
     @field_validator("samples", mode="before")
     @classmethod
     def _read_file(cls, value: Any) -> Any:
-        return read_samples(Path(value)) if isinstance(value, (str, Path)) else value
+        return read_samples(Path(value), field="") if isinstance(value, (str, Path)) else value
 
     def terms(self) -> list[tuple[int, float, float, float]]:
         """Sines as (degree of freedom, amplitude, frequency in Hz, phase in turns)."""
@@ -146,7 +163,16 @@ class PlateMotion(Model):
         ]
 
     @property
+    def shortest_period(self) -> float:
+        """Period of the fastest sine, s; infinite where there is none."""
+        fastest = max((frequency for _, _, frequency, _ in self.terms()), default=0.0)
+        return 1 / fastest if fastest > 0 else math.inf
+
+    @property
     def period(self) -> float:
-        """Time after which the sines repeat, s: that of the frequency, or a multiple where ratios are not whole."""
+        """Time after which the sines repeat, s: that of the frequency, or a multiple where ratios are not whole.
+
+        Finite however slow the plate is.
+        """
         denominators = [Fraction(w.ratio).limit_denominator(12).denominator for w in self.waves]
-        return math.lcm(1, *denominators) / self.frequency
+        return min(math.lcm(1, *denominators) / self.frequency, 1e300)

@@ -185,7 +185,7 @@ def slip(time: Series, x: Series, y: Series, period: float) -> Series:
 
     def smooth(values: Series) -> Series:
         sums = np.concatenate([[0.0], np.cumsum(values)])
-        return (sums[after] - sums[before]) / (2 * reach + 1)
+        return (sums[after] - sums[before]) / (after - before)
 
     return np.hypot(smooth(x) - x[0], smooth(y) - y[0])
 
@@ -219,7 +219,9 @@ def first_failure(
     last = int(np.argmin(finite)) if not finite.all() else len(time)
     signs: list[tuple[str, NDArray[np.bool_]]] = []
     if last > 0:
-        signs.append(("slipped", slip(time[:last], x[:last], y[:last], period) > slip_limit))
+        # The swing of the last half period is not averaged out: it may look like a slip.
+        averaged = (time[:last] <= time[last - 1] - period / 2) | (time[last - 1] < period)
+        signs.append(("slipped", averaged & (slip(time[:last], x[:last], y[:last], period) > slip_limit)))
     if "area_z" in channels and channels["area_z"][0] > 0:
         area = np.stack([channels[f"area_{axis}"][:last] for axis in "xyz"])
         size = np.linalg.norm(area, axis=0)

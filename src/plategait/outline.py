@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from plategait.errors import InputError
 from plategait.model import Model
 from plategait.units import Length, Offset
 
 _Points = NDArray[np.float64]
+
+_EDGE = 1e-9  # of a polygon's extent: what is nearer to an edge lies on it
+_TRIANGLE = '[["0 mm", "0 mm"], ["60 mm", "0 mm"], ["0 mm", "60 mm"]]'
+_ROWS = '[".##.", "####", ".##."]'
 
 
 class Disk(Model):
@@ -67,13 +72,15 @@ class Polygon(Model):
     """A sheet with straight edges, given by its corners in order."""
 
     shape: Literal["polygon"] = "polygon"
-    corners: tuple[tuple[Offset, Offset], ...] = Field(description="corners (x, y) in order")
+    corners: tuple[tuple[Offset, Offset], ...] = Field(description="corners (x, y) in order", examples=[_TRIANGLE])
 
     @model_validator(mode="after")
     def _at_least_a_triangle(self) -> Polygon:
-        if len(self.corners) < 3 or min(self.size()) <= 0:
-            raise InputError("corners", len(self.corners), "3 or more corners that span an area",
-                             '[["0 mm", "0 mm"], ["60 mm", "0 mm"], ["0 mm", "60 mm"]]')  # fmt: skip
+        corners = np.array(self.corners).reshape(-1, 2)
+        spread = corners - corners[:1]
+        if len(corners) < 3 or np.linalg.matrix_rank(spread, tol=_EDGE * np.abs(spread).max()) < 2:
+            got = f"{len(corners)} corners" + (" on one line" if len(corners) > 1 else "")
+            raise InputError("corners", got, "3 or more corners that span an area", _TRIANGLE)
         return self
 
     def size(self) -> tuple[float, float]:
@@ -82,14 +89,22 @@ class Polygon(Model):
         return float(length), float(width)
 
     def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
-        """Whether points about the middle of the bounding box lie inside (even-odd rule)."""
+        """Whether points about the middle of the bounding box lie inside (even-odd rule).
+
+        A point on an edge is inside where both sides of the edge are: all points a hair around it decide.
+        """
         corners = np.array(self.corners)
         corners = corners - (corners.min(axis=0) + corners.max(axis=0)) / 2
-        inside = np.zeros(np.broadcast(x, y).shape, dtype=bool)
-        for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-            if y0 != y1:
-                straddles = (y0 > y) != (y1 > y)
-                inside ^= straddles & (x < x0 + (y - y0) * (x1 - x0) / (y1 - y0))
+        inside = np.ones(np.broadcast(x, y).shape, dtype=bool)
+        for direction in (np.arange(8) + 0.5) * math.pi / 4:  # none along an edge that people draw
+            near_x = x + _EDGE * max(self.size()) * math.cos(direction)
+            near_y = y + _EDGE * max(self.size()) * math.sin(direction)
+            odd = np.zeros_like(inside)
+            for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+                if y0 != y1:
+                    straddles = (y0 > near_y) != (y1 > near_y)
+                    odd ^= straddles & (near_x < x0 + (near_y - y0) * (x1 - x0) / (y1 - y0))
+            inside &= odd
         return inside
 
 
@@ -98,22 +113,30 @@ class Mask(Model):
 
     shape: Literal["mask"] = "mask"
     width_of_picture: Length = Field(description="what the width of the whole picture measures, along x")
-    image: Path | None = Field(default=None, description="picture file")
-    rows: tuple[str, ...] = Field(default=(), description='or the picture as text, top row first: "#" is sheet')
+    image: Path | None = Field(default=None, description="picture file", examples=['"leaf.png"'])
+    rows: tuple[str, ...] = Field(
+        default=(), description='or the picture as text, top row first: "#" is sheet', examples=[_ROWS]
+    )
+
+    @field_validator("image", mode="after")
+    @classmethod
+    def _from_anywhere(cls, image: Path | None) -> Path | None:
+        return image and image.absolute()
 
     @model_validator(mode="after")
     def _has_a_sheet(self) -> Mask:
-        pixels = self.pixels()
-        if not pixels.any():
+        if self.rows and self.image is not None:
+            raise InputError("image", str(self.image), "left out where rows are given", "one of the two")
+        if len({len(row) for row in self.rows}) > 1:
+            raise InputError("rows", self.rows, "rows of equal length", _ROWS)
+        if not self.pixels().any():
             raise InputError("image" if self.image else "rows", "nothing dark in the picture",
-                             "a dark object on a light ground", 'rows = [".##.", "####", ".##."]')  # fmt: skip
+                             "a dark object on a light ground", f"rows = {_ROWS}")  # fmt: skip
         return self
 
     def pixels(self) -> NDArray[np.bool_]:
         """(columns, rows) pixels of the sheet, cropped to it; row 0 at the bottom."""
         dark = np.array([[c == "#" for c in row] for row in self.rows], dtype=bool) if self.rows else self._read()
-        if dark.ndim != 2:
-            raise InputError("rows", self.rows, "rows of equal length", '[".##.", "####", ".##."]')
         if not dark.any():
             return dark
         columns, rows = np.nonzero(dark.any(axis=0))[0], np.nonzero(dark.any(axis=1))[0]
@@ -122,12 +145,12 @@ class Mask(Model):
     def _read(self) -> NDArray[np.bool_]:
         if self.image is None:
             raise InputError("image", "nothing", "a picture file, or rows of text", 'image = "leaf.png"')
-        from PIL import Image, UnidentifiedImageError
+        from PIL import Image
 
         try:
             with Image.open(self.image) as picture:
                 gray = np.asarray(picture.convert("LA"), dtype=float)
-        except (OSError, UnidentifiedImageError):
+        except Exception:  # Pillow's own, and Python's for a spoilt file
             raise InputError("image", str(self.image), "a picture file that can be read", '"leaf.png"') from None
         opaque = gray[..., 1] > 127
         return opaque if not opaque.all() else gray[..., 0] < 128
@@ -164,7 +187,7 @@ def occupied_squares(outline: Disk | Ellipse | Rectangle | Polygon | Mask, pitch
     InputError
         When no square lies inside, or the squares fall into pieces that only touch at corners or not at all.
     """
-    columns, rows = (max(1, round(extent / pitch)) for extent in outline.size())
+    columns, rows = (max(1, round(min(extent / pitch, 1e9))) for extent in outline.size())
     if columns * rows > 4_000_000:
         raise InputError("pitch", f"{1e3 * pitch:g} mm", "coarse enough for under 4 million squares",
                          f'"{1e3 * max(outline.size()) / 100:g} mm"')  # fmt: skip
@@ -172,7 +195,7 @@ def occupied_squares(outline: Disk | Ellipse | Rectangle | Polygon | Mask, pitch
     y = (np.arange(rows, dtype=np.float64) - (rows - 1) / 2) * pitch
     # A hair inwards, so that a middle on the very edge falls the same way on every side.
     inside = outline.contains(x[:, None] * (1 - 1e-12), y[None, :] * (1 - 1e-12))
-    finer = f'"{1e3 * min(outline.size()) / 8:.3g} mm"'
+    finer = f'"{1e3 * min(min(outline.size()) / 8, pitch / 2):.3g} mm"'
     if not inside.any():
         raise InputError(
             "pitch", f"{1e3 * pitch:g} mm", "fine enough for at least one grid square inside the outline", finer

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -19,16 +20,27 @@ def check_writable(path: Path | str, suffixes: Sequence[str], field: str = "outp
     InputError
         When the suffix is none of those given, the folder is missing, or the file or folder cannot be written.
     """
-    path = Path(path)
+    got, path = str(path), Path(path)
+    folder, stem = path.parent, Path(path.name.strip(".")).stem or "result"
     if path.suffix.lower() not in suffixes:
-        raise InputError(
-            field, str(path), f"a file name ending in {' or '.join(suffixes)}", str(path.with_suffix(suffixes[0]))
-        )
-    folder = path.parent
-    if path.is_dir() or not folder.is_dir():
-        raise InputError(field, str(path), "a file in a folder that exists", f"mkdir -p {folder}, or {path.name}")
-    if not os.access(path if path.exists() else folder, os.W_OK) or not os.access(folder, os.W_OK):
-        raise InputError(field, str(path), "a file that can be written", str(Path.home() / path.name))
+        works = folder / f"{stem}{suffixes[0]}"
+        raise InputError(field, got, f"a file name ending in {' or '.join(suffixes)}", str(works))
+    # `os.path` says no where `Path` raises for a name that no file can have.
+    if not os.path.isdir(folder):
+        below_a_file = any(os.path.isfile(above) for above in (folder, *folder.parents))
+        hint = path.name if below_a_file else f"mkdir -p {shlex.quote(str(folder))}, or {path.name}"
+        raise InputError(field, got, "a file in a folder that exists", hint)
+    if os.path.isdir(path):
+        raise InputError(field, got, "a file, not a folder", str(folder / f"{stem}-result{path.suffix}"))
+    if not os.access(path if os.path.exists(path) else folder, os.W_OK) or not os.access(folder, os.W_OK):
+        raise InputError(field, got, "a file that can be written", str(Path.home() / path.name))
+    try:
+        path.stat()
+    except FileNotFoundError:
+        pass
+    except (OSError, ValueError):
+        works = folder / f"result{path.suffix}"
+        raise InputError(field, got, "a name that the file system takes", str(works)) from None
     return path
 
 
@@ -42,7 +54,7 @@ def whole_file(path: Path | str, suffixes: Sequence[str], field: str = "output")
         As `check_writable`.
     """
     path = check_writable(path, suffixes, field)
-    handle, name = tempfile.mkstemp(prefix=f".{path.stem}-", suffix=path.suffix, dir=path.parent)
+    handle, name = tempfile.mkstemp(prefix=".plategait-", suffix=path.suffix, dir=path.parent)
     os.close(handle)
     temporary = Path(name)
     try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import tomllib
 from pathlib import Path
@@ -20,6 +21,8 @@ from plategait.units import Acceleration, Angle, Delay, Duration, Length, Offset
 # stiffer or finer sheets take.
 LARGEST_TIME_STEP = 6e-5
 SHARE_OF_STABLE_STEP = 0.85
+STEPS_PER_SINE = 20
+MOST_STEPS = 2e9
 
 
 class Start(Model):
@@ -40,13 +43,23 @@ class Plate(Model):
 class Scenario(Model):
     """Everything one run needs: what is simulated, how the plate moves, for how long."""
 
-    name: str = Field(default="scenario", description="what the results call it")
-    sheet: Sheet = Field(description="the object")
+    name: str = Field(default="scenario", description="what the results call it", examples=['"cheese"'])
+    sheet: Sheet = Field(
+        description="the object",
+        examples=[
+            '{ outline = { shape = "disk", radius = "40 mm" }, mass = "13.6 g", '
+            'bending_stiffness = "2.72e-3 N*mm/deg", axial_stiffness = "0.79 N/mm" }'
+        ],
+    )
     motion: PlateMotion = Field(default_factory=PlateMotion, description="how the plate moves")
     contact: Contact = Field(default_factory=Contact, description="contact between sheet and plate (3.1)")
     friction: Friction = Field(default_factory=Friction, description="friction between sheet and plate (3.2)")
     start: Start = Field(default_factory=Start, description="where the object lies at the start")
-    plate: Plate | None = Field(default=None, description="size of the plate; leave out for one that never ends")
+    plate: Plate | None = Field(
+        default=None,
+        description="size of the plate; leave out for one that never ends",
+        examples=['{ length = "200 mm", width = "200 mm" }'],
+    )
     gravity: Acceleration = Field(default=9.81, description="g")
     duration: Duration = Field(default=4.0, description="simulated time")
     transient: Delay | None = Field(
@@ -66,15 +79,28 @@ class Scenario(Model):
                 f"below the duration {self.duration:g} s",
                 f'"{0.3 * self.duration:g} s"',
             )
-        stable = self.sheet.stable_time_step
-        if self.time_step is not None and self.time_step > stable:
-            raise InputError("time_step", f"{self.time_step:g} s", f"at most {stable:.3g} s, where the joints stay stable",
-                             f'"{SHARE_OF_STABLE_STEP * stable:.2g} s", or leave it out')  # fmt: skip
-        if self.duration / self.dt > 2e9:
-            raise InputError(
-                "duration", f"{self.duration:g} s", f"at most {2e9 * self.dt:.3g} s at this time step", '"4 s"'
-            )
+        joints, sine = self.sheet.stable_time_step, self._step_of_fastest_sine
+        largest, usual = min(joints, sine), self._usual_step
+        if self.duration / usual > MOST_STEPS:
+            raise InputError("duration", f"{self.duration:g} s",
+                             f"at most {MOST_STEPS * usual:.3g} s at a time step of {usual:.2g} s",
+                             f'"{min(4.0, 0.5 * MOST_STEPS * usual):.2g} s"')  # fmt: skip
+        least = self.duration / MOST_STEPS
+        if self.time_step is not None and not least <= self.time_step <= largest:
+            reason = "the joints stay stable" if joints < sine else f"the fastest sine gets {STEPS_PER_SINE} steps"
+            raise InputError("time_step", f"{self.time_step:g} s",
+                             f"at least {least:.3g} s and at most {largest:.3g} s, where {reason}",
+                             f'"{SHARE_OF_STABLE_STEP * usual:.2g} s", or leave it out')  # fmt: skip
         return self
+
+    @property
+    def _step_of_fastest_sine(self) -> float:
+        return self.motion.shortest_period / STEPS_PER_SINE
+
+    @property
+    def _usual_step(self) -> float:
+        stable = SHARE_OF_STABLE_STEP * self.sheet.stable_time_step
+        return min(LARGEST_TIME_STEP, stable, self._step_of_fastest_sine)
 
     @property
     def measured_from(self) -> float:
@@ -83,10 +109,8 @@ class Scenario(Model):
 
     @property
     def dt(self) -> float:
-        """Time step used, s: the one given, or the smaller of 6e-5 s and 85 % of the stable one."""
-        if self.time_step is not None:
-            return self.time_step
-        return min(LARGEST_TIME_STEP, SHARE_OF_STABLE_STEP * self.sheet.stable_time_step)
+        """Time step used, s: the one given, or the least of 6e-5 s, 85 % of the stable one and 1/20 of a fast sine."""
+        return self._usual_step if self.time_step is None else self.time_step
 
 
 def read_scenario(path: Path | str) -> Scenario:
@@ -99,17 +123,17 @@ def read_scenario(path: Path | str) -> Scenario:
     """
     path = Path(path)
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError):
+        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(
+            "scenario", str(path), f"TOML ({error})", "plategait scenario --print cheese > cheese.toml"
+        ) from None
+    except (OSError, ValueError):
         raise InputError(
             "scenario",
             str(path),
             "a scenario file or a preset's name",
             "plategait scenario --print cheese > cheese.toml",
-        ) from None
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(
-            "scenario", str(path), f"TOML ({error})", "plategait scenario --print cheese > cheese.toml"
         ) from None
     return Scenario(**_resolve_files(data, path.parent))
 
@@ -177,4 +201,5 @@ def _literal(value: object, quantity: Quantity | None) -> str:
             + ", ".join(f"{name} = {_literal(item, None)}" for name, item in items if item not in (None, ()))
             + " }"
         )
-    return '"' + str(value).replace("\\", "\\\\").replace('"', '\\"') + '"'
+    # JSON's escapes are TOML's too, save that TOML has no bare DEL.
+    return json.dumps(str(value), ensure_ascii=False).replace("\x7f", "\\u007F")

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from pydantic import Field
 
+from plategait.errors import InputError
 from plategait.lattice import Lattice
 from plategait.model import Model
 from plategait.modes import Modes, free_modes
@@ -30,8 +31,11 @@ class Sheet(Model):
     zero when ``torsion_stiffness == bending_stiffness``; the dissertation leaves torsion free.
     """
 
-    name: str = Field(default="sheet", description="what the results call it")
-    outline: Outline = Field(description="what it is cut to: disk, ellipse, rectangle, polygon or mask")
+    name: str = Field(default="sheet", description="what the results call it", examples=['"cheese"'])
+    outline: Outline = Field(
+        description="what it is cut to: disk, ellipse, rectangle, polygon or mask",
+        examples=['{ shape = "disk", radius = "40 mm" }'],
+    )
     mass: Mass = Field(description="M, whole mass, shared evenly by the nodes")
     pitch: Length = Field(default=0.01, description="l, distance between nodes")
     thickness: Length = Field(
@@ -71,22 +75,32 @@ class Sheet(Model):
         """First-order natural angular frequency ω_n, rad/s: the dish mode, in which the sheet bends up and down."""
         return self.free_modes.dish.omega
 
-    def with_natural_frequency(self, omega: float | str, nominal: float | None = None) -> Sheet:
+    def with_natural_frequency(self, omega: float | str, nominal: float | str | None = None) -> Sheet:
         """Same sheet, same mass, at another natural frequency: k_b scaled by the square, as in section 4.4.
 
         Parameters
         ----------
         omega : float or str
             Wanted ω_n, rad/s; text may say "10 pi rad/s" or "5 Hz".
-        nominal : float, optional
+        nominal : float or str, optional
             What this sheet's own ω_n is taken to be, rad/s. By default its dish mode, so that the result's dish mode is
-            what was asked for. The dissertation calls Table 4.1's sheet 10π (its dish mode is 10.2π): pass ``10 * pi``
-            to scale exactly as it does.
+            what was asked for. The dissertation calls Table 4.1's sheet 10π (its dish mode is 10.32π): pass
+            ``10 * pi`` to scale exactly as it does.
+
+        Raises
+        ------
+        InputError
+            When a frequency is not as said, or the sheet has no bending stiffness to scale.
         """
         wanted = ANGULAR_FREQUENCY.read(omega, "natural_frequency")
-        factor = (wanted / (self.natural_frequency if nominal is None else nominal)) ** 2
+        own = self.natural_frequency if nominal is None else ANGULAR_FREQUENCY.read(nominal, "nominal")
+        if own == 0 or self.bending_stiffness == 0:
+            raise InputError("bending_stiffness", self.bending_stiffness, "above 0 to be scaled to a natural frequency",
+                             '"2.72e-3 N*mm/deg"')  # fmt: skip
+        ratio = wanted / own
         scaled: Sheet = self.replace(
-            bending_stiffness=self.bending_stiffness * factor, torsion_stiffness=self.torsion_stiffness * factor
+            bending_stiffness=self.bending_stiffness * ratio * ratio,
+            torsion_stiffness=self.torsion_stiffness * ratio * ratio,
         )
         return scaled
 

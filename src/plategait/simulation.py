@@ -67,7 +67,8 @@ def observe(scenario: Scenario, recording: Recording) -> Observation:
     within = (times > start_whole) & (times <= end)
     bends = channels["bend_rms"][within]
     slipped = observables.slip(times, channels["centre_x"], channels["centre_y"], period)
-    finite = slipped[np.isfinite(slipped)]
+    averaged = (times <= times[-1] - period / 2) | (times[-1] < period)
+    finite = slipped[np.isfinite(slipped) & averaged]
     return Observation(
         spin=observables.spin_rate(times, angle, period, start, end),
         gait=observables.gait(means("left_contact"), means("right_contact"), means("flight")),

@@ -8,11 +8,13 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import lru_cache
+from numbers import Real
 from typing import Annotated, Any
 
 from pydantic import GetCoreSchemaHandler
-from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+from pydantic_core import CoreSchema, core_schema
 
 from plategait.errors import InputError
 
@@ -25,8 +27,8 @@ _COMMON: dict[str, tuple[float, str]] = {
     "s": (1.0, "s"), "ms": (1e-3, "s"),
     "kg": (1.0, "kg"), "g": (1e-3, "kg"), "mg": (1e-6, "kg"),
     "rad": (1.0, "rad"), "deg": (_DEG, "rad"),
-    "Hz": (1.0, "Hz"), "kHz": (1e3, "Hz"),
-    "rad/s": (1.0, "rad/s"),
+    "Hz": (1.0, "Hz"), "hertz": (1.0, "Hz"), "mHz": (1e-3, "Hz"), "kHz": (1e3, "Hz"), "MHz": (1e6, "Hz"),
+    "rad/s": (1.0, "rad/s"), "deg/s": (_DEG, "rad/s"), "rpm": (math.pi / 30, "rad/s"),
     "m/s": (1.0, "m/s"), "mm/s": (1e-3, "m/s"),
     "m/s^2": (1.0, "m/s^2"), "m/s**2": (1.0, "m/s^2"), "m/s²": (1.0, "m/s^2"),
     "mm^2": (1e-6, "m^2"), "cm^2": (1e-4, "m^2"), "m^2": (1.0, "m^2"),
@@ -37,7 +39,14 @@ _COMMON: dict[str, tuple[float, str]] = {
     "N*mm*s/deg": (1e-3 / _DEG, "N*m*s/rad"),
 }  # fmt: skip
 
-_NUMBER = re.compile(r"^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|[-+]?(?:nan|inf))\s*(.*?)\s*$", re.IGNORECASE)
+_NUMBER = re.compile(r"([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)\s*(.*)", re.IGNORECASE)
+# Names with whole powers, multiplied and divided: pint would take any expression, "12,5 mm" for 12 times 5 mm.
+_POWER = r"(?:(?:\^|\*\*)-?\d|²)?"
+_NAME = rf"\(*(?:[^\W\d_]+|°){_POWER}(?:\){_POWER})*"
+_UNIT = re.compile(rf"{_NAME}(?:(?:\s*[*/·]\s*|\s+){_NAME})*")
+
+# Sizes, in SI, beyond which products and quotients of a few numbers leave floating point.
+_SMALLEST, _LARGEST = 1e-30, 1e30
 
 
 @lru_cache(maxsize=1)
@@ -50,23 +59,24 @@ def _registry() -> Any:
 @lru_cache(maxsize=256)
 def _factor(unit: str, target: str) -> float:
     """Factor from `unit` to the SI unit `target`; raises ValueError when the two do not measure the same thing."""
-    text = unit.replace("·", "*").replace(" ", "").replace("°", "deg").replace("µ", "u").replace("μ", "u")
-    if text == target:
-        return 1.0
-    turns = 1.0
-    if target == "rad/s":
-        if text in ("Hz", "kHz"):
-            return 2 * math.pi * _COMMON[text][0]
-        if text.startswith(("pi", "π")):
-            text, turns = text.removeprefix("pi").removeprefix("π").removeprefix("*"), math.pi
+    if not target or not _UNIT.fullmatch(unit):
+        raise ValueError(f"{unit} is no unit of {target or 'a plain number'}")
+    text = unit.replace("·", "*").replace("°", "deg").replace("µ", "u").replace("μ", "u")
+    text, turns = re.sub(r"\s*([*/])\s*", r"\1", text), 1.0
+    if target == "rad/s" and (times_pi := re.match(r"(?:pi|π)[* ]\s*", text)):
+        text, turns = text[times_pi.end() :], math.pi
     if text in _COMMON:
         factor, si = _COMMON[text]
+        if (si, target) == ("Hz", "rad/s"):
+            return 2 * math.pi * factor * turns
         if si != target:
             raise ValueError(f"{unit} does not measure the same as {target}")
         return factor * turns
+    if target in ("Hz", "rad/s"):  # to pint a turn, a radian and a plain 1 are the same dimension
+        raise ValueError(f"{unit} may count turns or radians")
     try:
         quantity = _registry().parse_expression(text) * 1.0
-        return turns * float(quantity.to(target.replace("^", "**")).magnitude)
+        return float(quantity.to(target.replace("^", "**")).magnitude)
     except Exception as error:  # pint raises a family of its own, and Python's for text that is no unit at all
         raise ValueError(f"{unit} is no unit of {target}") from error
 
@@ -86,7 +96,7 @@ def parse(text: str, unit: str) -> float:
     ValueError
         When the text is no number or its unit measures something else.
     """
-    match = _NUMBER.match(text)
+    match = _NUMBER.fullmatch(text.strip())
     if match is None:
         raise ValueError(f"{text!r} does not begin with a number")
     number, given = match.groups()
@@ -112,6 +122,8 @@ class Quantity:
         A value that works, given when another does not.
     above, at_least, at_most : float
         Limits in SI.
+    smallest : float
+        Least size in SI of what must be above 0, as that is divided by.
     """
 
     unit: str
@@ -120,6 +132,7 @@ class Quantity:
     above: float = -math.inf
     at_least: float = -math.inf
     at_most: float = math.inf
+    smallest: float = _SMALLEST
 
     @property
     def allowed(self) -> str:
@@ -138,31 +151,28 @@ class Quantity:
         InputError
             For anything but a finite number of the right dimension within the limits.
         """
-        number = math.nan
-        if isinstance(value, str):
-            try:
+        number, got, allowed = math.nan, value, self.allowed
+        try:
+            if isinstance(value, str):
                 number = parse(value, self.unit)
-            except ValueError:
-                number = math.nan
-        elif isinstance(value, (int, float)) or hasattr(value, "__float__"):
-            number = math.nan if isinstance(value, bool) else float(value)  # type: ignore[arg-type]
-        ok = math.isfinite(number) and number > self.above and self.at_least <= number <= self.at_most
-        if not ok:
-            raise InputError(field, value, self.allowed, f'"{self.example}"')
-        return number
+            elif isinstance(value, (Real, Decimal)) and not isinstance(value, bool):
+                number = float(value)
+        except OverflowError:
+            got = "a number too large for floating point"
+        except ValueError:
+            pass
+        if number > self.above and self.at_least <= number <= self.at_most:
+            smallest = self.smallest if self.above == 0 else 0.0
+            if smallest <= abs(number) <= _LARGEST:
+                return number
+            allowed = " ".join(filter(None, [f"{allowed}, from {smallest:g} to {_LARGEST:g}", self.unit, "in size"]))
+        raise InputError(field, got, allowed, f'"{self.example}"')
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic read the field through `read`."""
 
-        def validate(value: object) -> float:
-            try:
-                return self.read(value, "")
-            except InputError as error:
-                context = {"allowed": error.allowed, "hint": error.hint}
-                raise PydanticCustomError("quantity", "must be {allowed}; try {hint}", context) from None
-
         return core_schema.no_info_plain_validator_function(
-            validate, serialization=core_schema.plain_serializer_function_ser_schema(float)
+            lambda value: self.read(value, ""), serialization=core_schema.plain_serializer_function_ser_schema(float)
         )
 
 
@@ -174,7 +184,7 @@ Mass = Annotated[float, Quantity("kg", "g", "13.6 g", above=0)]
 Angle = Annotated[float, Quantity("rad", "deg", "12 deg")]
 Duration = Annotated[float, Quantity("s", "s", "4 s", above=0)]
 Delay = Annotated[float, Quantity("s", "s", "0.1 s", at_least=0)]
-Frequency = Annotated[float, Quantity("Hz", "Hz", "24 Hz", above=0)]
+Frequency = Annotated[float, Quantity("Hz", "Hz", "24 Hz", above=0, smallest=0)]  # a plate may as well stand still
 Speed = Annotated[float, Quantity("m/s", "mm/s", "100 mm/s", above=0)]
 Acceleration = Annotated[float, Quantity("m/s^2", "m/s^2", "9.81 m/s^2", at_least=0)]
 AxialStiffness = Annotated[float, Quantity("N/m", "N/mm", "0.79 N/mm", above=0)]

@@ -4,21 +4,27 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pytest
 from published import scenario
 
 from plategait.simulation import simulate_all
 
-# The rate is measured over 2 s here, to keep the test short.
+# The rate is measured over 1.2 s here, to keep the test short.
 SHORT = {"duration": 2.0, "transient": 0.8}
+CASES = [
+    (3, 3.5, [12, 16, 19, 22]),
+    (3, 10.0, [12, 14, 16, 18, 20, 22, 24]),
+    (3, 23.0, [14, 18, 20, 22, 24]),
+    (12, 3.5, [8, 9, 10, 11]),
+    (12, 10.0, [8, 9, 10, 11, 12]),
+]
 
 
-@pytest.mark.parametrize(("angle", "frequencies"), [(3, np.arange(12, 26, 2.0)), (12, np.arange(8, 13, 1.0))])
-def test_the_default_step_is_within_two_per_cent(angle, frequencies):
-    base = scenario(angle, 10.0).replace(**SHORT)
-    coarse_runs = [base.replace(**{"motion.frequency": f}) for f in frequencies]
-    assert base.dt == pytest.approx(1e-4, rel=0.05)
+@pytest.mark.parametrize(("angle", "omega", "frequencies"), CASES)
+def test_the_default_step_is_within_two_per_cent(angle, omega, frequencies):
+    base = scenario(angle, omega).replace(**SHORT)
+    assert 4e-5 < base.dt <= 1e-4
+    coarse_runs = [base.replace(**{"motion.frequency": float(f)}) for f in frequencies]
     coarse = simulate_all(coarse_runs, repeats=2, seed=2)
     fine = simulate_all([s.replace(time_step=base.dt / 10) for s in coarse_runs], repeats=2, seed=2, engine="cpu64")
     compared = [(a.spin_rate, b.spin_rate) for a, b in zip(coarse, fine, strict=True) if not (a.failed or b.failed)]

@@ -25,9 +25,22 @@ INTERRUPTED = 130
 PICTURES = (".png", ".pdf", ".svg")
 
 app = typer.Typer(
-    no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
+    add_completion=False, pretty_exceptions_enable=False,
     help="Simulates a thin soft object on a vibrating plate: how it slides, walks, runs and spins.",
 )  # fmt: skip
+
+
+@app.callback(invoke_without_command=True)
+def root(
+    context: typer.Context, version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False
+) -> None:
+    """Simulates a thin soft object on a vibrating plate: how it slides, walks, runs and spins."""
+    if version:
+        from plategait.version import __version__
+
+        print(f"plategait {__version__}")
+    elif context.invoked_subcommand is None:
+        print(context.get_help())
 
 
 @app.command()

@@ -64,7 +64,7 @@ class Run:
         return max(1, round(self.snapshot_interval / (self.stride * self.scenario.dt)))
 
     def start(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Node positions and velocities at the start: at rest, flat, at the depth where the plate carries the weight."""
+        """Node positions and velocities at the start: at rest, flat, where the plate carries the weight."""
         if self.initial is not None:
             return self.initial
         s = self.scenario
