@@ -1,4 +1,4 @@
-"""The speed report: ``make bench``, or ``python -m benchmarks [--json]``. Ratios, medians, and the machine they hold on.
+"""The speed report: ``make bench``, or ``python -m benchmarks [--json]``. Ratios and medians, and their machine.
 
 Shared machines drift: each figure is the median of several runs, and what is compared is run in turn.
 """
@@ -126,10 +126,12 @@ def main() -> None:
     rates, costs, commands = throughput(), scaling(), command_times()
     machine = {"machine": platform.machine(), "cores": cpu.core_count(), "instruction_sets": cpu.instruction_sets()}
     if "--json" in sys.argv:
-        print(json.dumps({**machine, "simulated_s_per_s": rates, "ns_per_step_run_node": costs, "seconds": commands}, indent=2))
+        measured = {"simulated_s_per_s": rates, "ns_per_step_run_node": costs, "seconds": commands}
+        print(json.dumps({**machine, **measured}, indent=2))
         return
     first = next(iter(rates.values()))
-    print(f"{machine['machine']}, {machine['cores']} cores, {', '.join(machine['instruction_sets'])}; medians of {REPEATS}\n")
+    levels = ", ".join(machine["instruction_sets"])
+    print(f"{machine['machine']}, {machine['cores']} cores, {levels}; medians of {REPEATS}\n")
     print("64 different runs of 52 nodes, 4 s each, default step      simulated s per s    ratio")
     for name, rate in rates.items():
         print(f"  {name:55} {rate:14.0f} {rate / first:14.2f}")

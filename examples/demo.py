@@ -1,7 +1,7 @@
 """The main job, end to end: a disk that spins on a vibrating plate. ``make demo`` runs this.
 
-Writes into ``out/``: a film and a filmstrip of the slice of cheese, the plot of that run, its spin curve with the Lorentz
-fit, and its free-vibration modes.
+Writes into ``out/``: a film and a filmstrip of the slice of cheese, the plot of that run, its spin curve with the
+Lorentz fit, and its free-vibration modes.
 """
 
 from __future__ import annotations

@@ -31,5 +31,9 @@ class InputError(ValueError):
 
     def __str__(self) -> str:
         """Give the one-line message."""
-        shown = self.got if isinstance(self.got, str) and self.got.startswith("nothing") else repr(self.got)
+        shown = (
+            self.got
+            if isinstance(self.got, str) and self.got.startswith("nothing")
+            else " ".join(repr(self.got).split())
+        )
         return f"{self.field}: got {shown}, must be {self.allowed}; try {self.hint}"

@@ -13,14 +13,16 @@ KERNEL = """
 using namespace plategait;
 
 // One thread, one run: arrays are interleaved over the runs.
-extern "C" __global__ void advance_runs(Topology topology, const float* parameters, int n_terms, const int* term_dof,
-                                        const Term<float>* terms, float* nodes, int n_runs, int steps, float* channels) {
+extern "C" __global__ void advance_runs(Topology topology, const float* parameters, int n_terms,
+                                        const int* term_dof, const Term<float>* terms, float* nodes,
+                                        int n_runs, int steps, float* channels) {
   const int run = blockIdx.x * blockDim.x + threadIdx.x;
   if (run >= n_runs) return;
   float parameter[N_PARAMETERS];
   for (int p = 0; p < N_PARAMETERS; p++) parameter[p] = parameters[p * n_runs + run];
   const int vectors = 3 * topology.n_nodes * n_runs;
-  const State<float> state = {{nodes + run, n_runs}, {nodes + vectors + run, n_runs}, {nodes + 2 * vectors + run, n_runs}};
+  const Nodes<float> x = {nodes + run, n_runs}, v = {x.data + vectors, n_runs}, f = {v.data + vectors, n_runs};
+  const State<float> state = {x, v, f};
   const Trajectory<float> trajectory = {n_terms, 0, term_dof, terms + run * n_terms, nullptr};
   Tally<float> tally = {};
   for (int step = 0; step < steps; step++)

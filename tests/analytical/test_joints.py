@@ -37,7 +37,7 @@ def test_one_joint_rings_down_as_a_damped_oscillator():
 
 
 def test_the_two_link_cantilever_has_its_two_frequencies():
-    # Two nodes held, two free, hinges at the second and third: K = k_b/l² [[5, −2], [−2, 1]], so ω = (√2 ± 1) √(k_b/m l²).
+    # Two nodes held, two free, hinges at the second and third: K = k_b/l² [[5, −2], [−2, 1]], ω = (√2 ± 1) √(k_b/m l²).
     sheet = strip(4)
     held = np.array([True, True, False, False])
     unit = math.sqrt(sheet.bending_stiffness / (sheet.node_mass * sheet.pitch**2))
@@ -59,12 +59,12 @@ def test_a_joint_holds_right_through_a_fold():
     sheet = strip(3)
     for degrees in (1, 30, 90, 150, 175):
         theta = math.radians(degrees)
-        l, dt = sheet.pitch, 1e-9
-        positions = [[-l, 0, 1], [0, 0, 1], [l * math.cos(theta), 0, 1 + l * math.sin(theta)]]
+        pitch, dt = sheet.pitch, 1e-9
+        positions = [[-pitch, 0, 1], [0, 0, 1], [pitch * math.cos(theta), 0, 1 + pitch * math.sin(theta)]]
         recording = run(sheet, duration=dt, dt=dt, gravity=0.0, positions=positions)
         force = np.linalg.norm(recording.velocities[2]) * sheet.node_mass / dt
         assert force == pytest.approx(
-            sheet.bending_stiffness * theta / l, rel=1e-6
+            sheet.bending_stiffness * theta / pitch, rel=1e-6
         )  # the arc-cosine's polynomial: 1.3e-8
 
 

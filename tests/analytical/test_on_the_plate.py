@@ -110,11 +110,10 @@ def test_a_sampled_trajectory_gives_the_motion_of_its_sines():
     # Sampled at 1 kHz and splined, 20 Hz sines come back within (2π f dt)⁴/384·A = 6e-7 A of themselves.
     short = PlateMotion(frequency=20.0, angle=0.05, stroke=0.003, ramp=0.1)
     time = np.arange(0, 0.5005, 1e-3)
+    wave = np.sin(2 * np.pi * 20 * time)
     sampled = PlateMotion(
         frequency=20.0, angle=0.0, stroke=0.0, ramp=0.1,
-        samples=Samples(
-            time=tuple(time), x=tuple(0.003 * np.sin(2 * np.pi * 20 * time)), rx=tuple(-0.05 * np.sin(2 * np.pi * 20 * time))
-        ),
+        samples=Samples(time=tuple(time), x=tuple(0.003 * wave), rx=tuple(-0.05 * wave)),
     )  # fmt: skip
     one, two = (run(CHEESE.sheet, duration=0.45, dt=1e-4, motion=m, friction=CHEESE.friction) for m in (short, sampled))
     np.testing.assert_allclose(two["plate_rx"], one["plate_rx"], atol=0.05 * 2e-6)

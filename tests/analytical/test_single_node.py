@@ -85,5 +85,5 @@ def test_contact_never_pulls():
     # A node thrown upwards from rest depth leaves at once, on the parabola of free flight.
     depth = Contact().static_depth(NODE.node_mass, NODE.pitch, 9.81)
     recording = run(NODE, duration=0.02, dt=1e-5, positions=flat(NODE, -depth), velocities=[[0, 0, 0.5]])
-    # The damper may not hold it back; the spring adds at most the energy that it held, k a^3.2/3.2 = 1.8e-8 J of 3.3e-5 J.
+    # The damper may not hold it back; the spring adds what it held, k a^3.2/3.2 = 1.8e-8 J of 3.3e-5 J.
     assert recording.velocities[0, 2] == pytest.approx(0.5 - 9.81 * 0.02, rel=2e-3)

@@ -390,7 +390,9 @@ def test_just_below_the_stable_step_a_sheet_stays_whole(name, monkeypatch):
 @pytest.mark.parametrize("precision", ["float32", "float64"])
 @pytest.mark.parametrize("name", EDGES)
 def test_well_above_the_stable_step_a_sheet_flies_apart(name, precision, monkeypatch):
-    recording = thrown(CHEESE.sheet.replace(**EDGES[name]), 1.3, precision, monkeypatch)
+    # The limit adds what stretching and bending damp; it is sharp where one of them is small, as in Table 4.1.
+    printed = preset("cheese-as-printed").scenario.sheet
+    recording = thrown(printed.replace(**EDGES[name]), 1.3, precision, monkeypatch)
     worst = max(np.abs(recording["kinetic_energy"][np.isfinite(recording["kinetic_energy"])]).max(), 0)
     assert recording.diverged or worst > 1e-3, "the limit leaves more than 30 % unused"
 

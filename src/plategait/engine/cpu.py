@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait import _native  # pyright: ignore[reportAttributeAccessIssue]
+import plategait._native as _native  # pyright: ignore[reportMissingImports]
 from plategait.engine.recording import Recording, Run
 from plategait.lattice import Lattice
 from plategait.motion import AXES
