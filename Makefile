@@ -7,13 +7,17 @@ PYTHON ?= python3
 BIN := .venv/bin
 SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 
-.PHONY: demo test lint bench clean
+.PHONY: demo test lint bench clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
 	$(PYTHON) -m venv .venv
 
-.venv/installed: $(BIN)/python $(SOURCES)
+# An editable install knows the modules that there were: it is made anew when one comes or goes.
+.venv/modules: $(BIN)/python always
+	@find src -name '*.py' | LC_ALL=C sort | cmp -s - $@ || find src -name '*.py' | LC_ALL=C sort > $@
+
+.venv/installed: $(SOURCES) .venv/modules
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
 	touch $@
 
