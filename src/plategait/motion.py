@@ -6,7 +6,7 @@ import csv
 import math
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from pydantic import Field, field_validator, model_validator
 
 from plategait.errors import InputError
 from plategait.model import Model
-from plategait.units import ANGLE, STROKE, Angle, Delay, Frequency, Offset, Ratio
+from plategait.units import ANGLE, PLATE_ANGLE, PLATE_STROKE, STROKE, Angle, Delay, Frequency, Offset, Ratio
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
 Axis = Literal["x", "y", "z", "rx", "ry", "rz"]
@@ -135,8 +135,10 @@ class PlateMotion(Model):
     """
 
     frequency: Frequency = Field(default=24.0, description="f_p, of the sines")
-    angle: Angle = Field(default=math.radians(3), description="A_p, angular amplitude about the bar")
-    stroke: Offset = Field(default=0.003, description="B_p, linear amplitude along the bar")
+    angle: Annotated[float, PLATE_ANGLE] = Field(
+        default=math.radians(3), description="A_p, angular amplitude about the bar"
+    )
+    stroke: Annotated[float, PLATE_STROKE] = Field(default=0.003, description="B_p, linear amplitude along the bar")
     height: Offset = Field(default=0.0, description="height of the plate's surface above the axis that it turns about")
     ramp: Delay = Field(default=0.1, description="duration of the smooth start")
     waves: tuple[Wave, ...] = Field(

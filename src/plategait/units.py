@@ -197,4 +197,7 @@ Ratio = Annotated[float, Quantity("", "", "1", above=0)]
 ANGULAR_FREQUENCY = Quantity("rad/s", "rad/s", "10 pi rad/s", above=0)
 ANGLE = Quantity("rad", "deg", "12 deg")
 STROKE = Quantity("m", "mm", "3 mm")
+# A bare number is SI. Whoever types 3 for 3 deg or 3 mm is told, because no plate tilts further or shakes wider.
+PLATE_ANGLE = Quantity("rad", "deg", "3 deg", at_least=-math.pi / 2, at_most=math.pi / 2)
+PLATE_STROKE = Quantity("m", "mm", "3 mm", at_least=-1.0, at_most=1.0)
 FREQUENCY = Quantity("Hz", "Hz", "24 Hz", above=0)

@@ -10,7 +10,7 @@ import typer
 from plategait.errors import InputError
 from plategait.presets import PRESETS, preset
 from plategait.scenario import Scenario, read_scenario
-from plategait.units import ANGLE, ANGULAR_FREQUENCY, STROKE, Quantity
+from plategait.units import ANGULAR_FREQUENCY, PLATE_ANGLE, PLATE_STROKE, Quantity
 
 _STEP = Quantity("s", "s", "1e-4 s", above=0)
 _DURATION = Quantity("s", "s", "4 s", above=0)
@@ -76,9 +76,9 @@ def build(
     if frequency is not None:
         changes["motion.frequency"] = frequency
     if angle is not None:
-        changes["motion.angle"] = ANGLE.read(angle, "--angle")
+        changes["motion.angle"] = PLATE_ANGLE.read(angle, "--angle")
     if stroke is not None:
-        changes["motion.stroke"] = STROKE.read(stroke, "--stroke")
+        changes["motion.stroke"] = PLATE_STROKE.read(stroke, "--stroke")
     if mu_s is not None:
         changes["friction.static"] = _COEFFICIENT.read(mu_s, "--mu-s")
         changes["friction.kinetic"] = changes["friction.static"] * scenario.friction.ratio

@@ -1,0 +1,91 @@
+"""Commands for campaigns: run or resume one, say how far it is, draw it."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from plategait.cli import options, report
+from plategait.output import check_writable
+
+if TYPE_CHECKING:
+    from plategait.campaign.opened import Campaign
+
+PICTURES = (".png", ".pdf", ".svg")
+INTERRUPTED = 130
+
+
+def sweep(
+    plan: Annotated[Path, typer.Argument(metavar="SWEEP.toml", help="What to run; with --status also a store.")],
+    store: Annotated[
+        Path | None, typer.Option("--store", help="Where the results go: .zarr. Beside the plan if left out.")
+    ] = None,
+    refine: Annotated[int, typer.Option("--refine", help="Points to add at peaks, gait changes, failures.", min=0)] = 0,
+    repair: Annotated[bool, typer.Option("--repair", help="Run the points of damaged batches again.")] = False,
+    dask: Annotated[str | None, typer.Option("--dask", help="Run on the Dask cluster at this address.")] = None,
+    status: Annotated[bool, typer.Option("--status", help="Say how far it is; run nothing.")] = False,
+    as_json: options.Json = False,
+) -> None:
+    """Run a campaign into a labelled store, or go on with one that was interrupted."""
+    path = store or plan.with_suffix(".zarr")
+    if status:
+        return _status(path, as_json)
+    from plategait.campaign.run import sweep as run
+
+    try:
+        with report.progress_bar("sweeping") as progress:
+            done = run(plan, path, refine=refine, repair=repair, dask=dask, progress=progress)
+    except KeyboardInterrupt:
+        print(f"plategait: interrupted; the same command goes on where {path} ends", file=sys.stderr)
+        sys.exit(INTERRUPTED)
+    report.print_json(done.summary()) if as_json else _print(done)
+
+
+def plot_store(
+    store: Annotated[Path, typer.Argument(metavar="STORE", help="A store that sweep wrote, finished or not.")],
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Picture: .png, .pdf or .svg. Beside the store if left out.")
+    ] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Draw a campaign: curves over one swept parameter, families of curves or a map over two."""
+    from plategait.campaign.opened import open_sweep
+
+    opened = open_sweep(store)
+    picture = check_writable(out or store.with_suffix(".png"), PICTURES, "--out")
+    from plategait.campaign.figures import plot_campaign
+    from plategait.plots import save
+
+    save(plot_campaign(opened), picture)
+    report.print_json({"plot": str(picture)}) if as_json else print(picture)
+
+
+def _status(path: Path, as_json: bool) -> None:
+    from plategait.campaign.opened import open_sweep
+
+    opened = open_sweep(path, damaged=True)
+    report.print_json(opened.summary()) if as_json else _print(opened)
+    raise typer.Exit(1 if opened.damaged else 0)
+
+
+def _print(campaign: Campaign) -> None:
+    s = campaign.summary()
+    total = s["points"] + s["refined_points"]
+    rows = [
+        ["points run", f"{s['points_done']} of {total}"],
+        ["refining points", str(s["refined_points"])],
+        ["runs of each", str(s["repeats"])],
+        ["damaged", s["damaged"] or "none"],
+    ]
+    if "gaits" in s:
+        rows.append(["gaits", ", ".join(f"{gait} {count}" for gait, count in s["gaits"].items())])
+        rows.append(["failed", f"{s['failed_points']} points"])
+    if "fastest" in s:
+        from plategait.units import show
+
+        where = ", ".join(f"{p.name} {p.shown(s['fastest']['at'][p.name])}" for p in campaign.plan.parameters)
+        rows.append(["fastest spin", f"{show(round(s['fastest']['spin_rate_rad_s'], 4), 'rad/s', 'deg/s')} at {where}"])
+    report._table(f"{s['title']}: {s['store']}", ["", ""], rows)

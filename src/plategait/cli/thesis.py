@@ -1,0 +1,37 @@
+"""The command that regenerates the dissertation's figures and tables."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from plategait.cli import options, report
+
+Names = Annotated[
+    list[str] | None, typer.Argument(metavar="[NAME]…", help="Figures and tables: fig5.7 table5.9. All by default.")
+]
+Folder = Annotated[Path, typer.Option("--out", help="Folder for report.html, figures and CSV; made if missing.")]
+
+
+def thesis(
+    names: Names = None,
+    out: Folder = Path("thesis"),
+    seed: options.Seed = 0,
+    repeats: options.Repeats = 4,
+    as_json: options.Json = False,
+) -> None:
+    """Regenerate the dissertation's simulated figures and tables, each beside its published value."""
+    from plategait.thesis import reproduce
+    from plategait.thesis.report import prepare_folder, write_report
+
+    prepare_folder(out)
+    with report.progress_bar("simulating") as progress:
+        study = reproduce(names or None, seed=seed, repeats=repeats, progress=progress)
+    page = write_report(study, out)
+    if as_json:
+        return report.print_json(study.summary() | {"report": str(page)})
+    for item in study.items:
+        print(f"{item.name:10} {item.verdict}")
+    print(f"{page}: {len(study.items)} items, {study.simulated:.0f} simulated seconds in {study.wall:.0f} s")
