@@ -11,7 +11,7 @@ from bench import flat, observed_order, run, strip
 from plategait.modes import transverse_matrix
 from plategait.outline import Disk
 from plategait.sheet import Sheet
-from plategait.theory import cantilever_frequencies, free_disk_frequency
+from plategait.vibration import cantilever_frequencies, free_disk_frequency
 
 
 def test_one_joint_rings_down_as_a_damped_oscillator():

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import integrate, linalg
 
-from plategait import theory
+from plategait import theory, vibration
 from plategait.errors import InputError
 
 RADIUS, MASS, FRICTION = 0.04, 0.0136, 0.75
@@ -144,14 +144,8 @@ def test_friction_work_over_the_stopping_distance_is_the_kinetic_energy():
     assert FRICTION * MASS * 9.81 * distance == pytest.approx(0.5 * MASS * 1.2**2, rel=TINY)
 
 
-def test_contact_force_at_the_static_penetration_is_the_weight():
-    depth = theory.static_penetration_mm(2.62e-4, 1.0)
-    assert 1.0 * depth**2.2 == pytest.approx(2.62e-4 * 9.81, rel=TINY)  # (3.1) at rest
-    assert depth == pytest.approx(0.0665, abs=5e-5)  # half a unit of the last digit
-
-
 def test_cantilever_parameters_are_those_of_the_tables():
-    parameter = theory.cantilever_frequencies(1.0, 1.0, 1.0)
+    parameter = vibration.cantilever_frequencies(1.0, 1.0, 1.0)
     assert (abs(parameter - [3.516, 22.03, 61.70]) < [5e-4, 5e-3, 5e-3]).all()  # half a unit of the last digit
     root = np.sqrt(parameter)
     # cos βL = -1 / cosh βL, to rounding of a root below 8.
@@ -159,7 +153,7 @@ def test_cantilever_parameters_are_those_of_the_tables():
 
 
 def test_cantilever_frequencies_scale_with_stiffness_mass_and_length():
-    ratio = theory.cantilever_frequencies(8.0, 2.0, 3.0) / theory.cantilever_frequencies(1.0, 1.0, 1.0)
+    ratio = vibration.cantilever_frequencies(8.0, 2.0, 3.0) / vibration.cantilever_frequencies(1.0, 1.0, 1.0)
     np.testing.assert_allclose(ratio, np.sqrt(8 / 2) / 3**2, rtol=TINY)
 
 
@@ -169,7 +163,7 @@ def test_cantilever_frequencies_scale_with_stiffness_mass_and_length():
 )
 def test_free_disk_parameters_are_those_of_the_tables(diameters, circles, published):
     # Leissa (1969), ν = 0.33: computed by hand, right to 4 in 1000; neighbouring modes differ by 4 % or more.
-    assert theory.free_disk_parameter(diameters, circles, 0.33) == pytest.approx(published, rel=4e-3)
+    assert vibration.free_disk_parameter(diameters, circles, 0.33) == pytest.approx(published, rel=4e-3)
 
 
 def ritz(diameters, poisson, n_terms=9):
@@ -193,16 +187,16 @@ def ritz(diameters, poisson, n_terms=9):
 def test_free_disk_parameters_are_those_of_the_ritz_method(diameters, circles, poisson):
     # Nine polynomials converge to rounding, which powers of r amplify to about 1e-8 at worst.
     expected = ritz(diameters, poisson)[circles]
-    assert theory.free_disk_parameter(diameters, circles, poisson) == pytest.approx(expected, rel=1e-6)
+    assert vibration.free_disk_parameter(diameters, circles, poisson) == pytest.approx(expected, rel=1e-6)
 
 
 def test_the_saddle_and_the_dish_of_a_lattice_become_those_of_a_free_disk():
     k_b, mass_per_area = 1e-4, 2.62
     sheet = {"radius": RADIUS, "plate_stiffness": k_b, "mass_per_area": mass_per_area}
-    saddle, dish = theory.free_disk_frequency(2, 0, **sheet), theory.free_disk_frequency(0, 1, **sheet)
+    saddle, dish = vibration.free_disk_frequency(2, 0, **sheet), vibration.free_disk_frequency(0, 1, **sheet)
     scale = np.sqrt(k_b / mass_per_area) / RADIUS**2
     assert (saddle / scale, dish / scale) == pytest.approx((6.1530, 8.2439), abs=5e-5)  # ν = 0, by the Ritz method
-    stiffer = theory.free_disk_frequency(2, 0, **{**sheet, "plate_stiffness": 4 * k_b})
+    stiffer = vibration.free_disk_frequency(2, 0, **{**sheet, "plate_stiffness": 4 * k_b})
     assert stiffer == pytest.approx(2 * saddle, rel=TINY)
 
 
@@ -224,13 +218,12 @@ def test_the_saddle_and_the_dish_of_a_lattice_become_those_of_a_free_disk():
         ("I_y", lambda: theory.inertial_loads(1, (1, 0, 1))),
         ("bar_length", lambda: theory.inertial_loads(1, (1, 1, 1), -1)),
         ("friction", lambda: theory.stopping_distance(1, 0)),
-        ("stiffness", lambda: theory.static_penetration_mm(1, 0)),
-        ("length", lambda: theory.cantilever_frequencies(1, 1, float("inf"))),
-        ("(diameters, circles)", lambda: theory.free_disk_parameter(0, 0)),
-        ("(diameters, circles)", lambda: theory.free_disk_parameter(1, 0)),
-        ("(diameters, circles)", lambda: theory.free_disk_parameter(-2, 1)),
-        ("poisson", lambda: theory.free_disk_parameter(2, 0, 0.6)),
-        ("plate_stiffness", lambda: theory.free_disk_frequency(2, 0, radius=1, plate_stiffness=0, mass_per_area=1)),
+        ("length", lambda: vibration.cantilever_frequencies(1, 1, float("inf"))),
+        ("(diameters, circles)", lambda: vibration.free_disk_parameter(0, 0)),
+        ("(diameters, circles)", lambda: vibration.free_disk_parameter(1, 0)),
+        ("(diameters, circles)", lambda: vibration.free_disk_parameter(-2, 1)),
+        ("poisson", lambda: vibration.free_disk_parameter(2, 0, 0.6)),
+        ("plate_stiffness", lambda: vibration.free_disk_frequency(2, 0, radius=1, plate_stiffness=0, mass_per_area=1)),
     ],
 )
 def test_bad_input_is_refused_by_name(field, call):
