@@ -11,6 +11,7 @@ import typer
 from typer.exceptions import TyperException
 
 from plategait.cli import options, report
+from plategait.cli.thesis import thesis
 from plategait.errors import InputError
 from plategait.output import check_writable
 from plategait.presets import PRESETS, preset
@@ -210,6 +211,9 @@ def scenario_command(
     else:
         for each in PRESETS:
             print(f"{each:18}{preset(each).summary}")
+
+
+app.command()(thesis)
 
 
 def _check_outputs(*outputs: tuple[Path | None, tuple[str, ...], str]) -> None:

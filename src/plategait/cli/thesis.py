@@ -25,10 +25,12 @@ def thesis(
     """Regenerate the dissertation's simulated figures and tables, each beside its published value."""
     from plategait.thesis import reproduce
     from plategait.thesis.report import prepare_folder, write_report
+    from plategait.thesis.study import known_name
 
+    chosen = [known_name(name) for name in names or ()]
     prepare_folder(out)
     with report.progress_bar("simulating") as progress:
-        study = reproduce(names or None, seed=seed, repeats=repeats, progress=progress)
+        study = reproduce(chosen or None, seed=seed, repeats=repeats, progress=progress)
     page = write_report(study, out)
     if as_json:
         return report.print_json(study.summary() | {"report": str(page)})

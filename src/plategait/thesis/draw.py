@@ -1,0 +1,86 @@
+"""Pictures that several items share. They draw and compute nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from plategait.thesis.regressions import Regression
+from plategait.thesis.runs import CaseRuns
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.typing import ColorType
+
+GAIT_MARKERS = {"sliding": "s", "walking": "^", "running": "o", "": "D"}
+COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#7F7F7F", "#000000")
+PUBLISHED = {"color": "black", "ls": "none", "marker": "x", "ms": 5, "mew": 1.2, "label": "published"}
+
+
+def panels(columns: int, rows: int = 1, width: float = 5.0, height: float = 3.6) -> tuple[Figure, list[Axes]]:
+    """Figure with a grid of panels."""
+    from matplotlib.figure import Figure as MatplotlibFigure
+
+    figure = MatplotlibFigure(figsize=(width * columns, height * rows), layout="constrained")
+    axes: Any = figure.subplots(rows, columns, squeeze=False)
+    return figure, list(axes.ravel())
+
+
+def plain(axes: Axes, x: str, y: str, title: str = "") -> None:
+    """Label the axes and take the frame away."""
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    axes.set_title(title, loc="left", fontsize=9.5)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def curve(axes: Axes, runs: CaseRuns, x: ArrayLike, colour: ColorType, label: str, fit: bool = False) -> None:
+    """Spin rates that did not fail, marked by gait, up to the run-off; with the spread over the starts."""
+    shown, kept = runs.curve, runs.curve.fitted
+    x = np.asarray(x, dtype=float)
+    axes.plot(
+        x[kept],
+        shown.spin_rate_deg_s[kept],
+        color=colour,
+        lw=0.8 if fit else 1.2,
+        ls=":" if fit else "-",
+        label=None if fit else label,
+    )
+    for gait, marker in GAIT_MARKERS.items():
+        here = kept & (np.array(shown.gait) == gait)
+        if here.any():
+            sd = np.nan_to_num(shown.spin_rate_sd_deg_s[here])
+            axes.errorbar(
+                x[here], shown.spin_rate_deg_s[here], sd, fmt=marker, ms=3.5, mfc="white", color=colour, lw=0.8
+            )
+    if fit and runs.fit is not None and kept.any():
+        grid = np.linspace(runs.fit_from, x[kept].max() + 2, 200)
+        axes.plot(grid, runs.fit(grid), color=colour, lw=1.2, label=label)
+
+
+def gait_legend(axes: Axes) -> None:
+    """Say which marker is which gait."""
+    for gait, marker in list(GAIT_MARKERS.items())[:3]:
+        axes.plot([], [], marker, mfc="white", color="#7F7F7F", ms=4, label=gait)
+
+
+def scatter(
+    axes: Axes, x: NDArray[np.float64], y: NDArray[np.float64], groups: Sequence[float], unit: str = ""
+) -> None:
+    """Points joined within each group."""
+    for i, group in enumerate(sorted(set(groups))):
+        here = np.array([g == group for g in groups])
+        axes.plot(x[here], y[here], "o-", color=COLOURS[i % len(COLOURS)], lw=0.7, ms=3.5, label=f"{group:g}{unit}")
+
+
+def line(axes: Axes, regression: Regression, x: ArrayLike, band: bool = False) -> None:
+    """Regression line, with its 95 % band if asked."""
+    grid = np.linspace(np.nanmin(x), np.nanmax(x), 50)
+    axes.plot(grid, regression(grid), color="black", lw=1.6, label=f"regression, R² = {regression.r2:.2f}")
+    if band:
+        low, high = regression.band(grid)
+        axes.plot(grid, low, "--", grid, high, "--", color="black", lw=0.9)

@@ -1,0 +1,105 @@
+"""What the dissertation prints, as data: each number with its page or table, and the slips among them."""
+
+from __future__ import annotations
+
+import csv
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+AMPLITUDES = (3, 12)
+"""Angular amplitudes A_p of chapter 5, deg."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """One printed number."""
+
+    value: float
+    where: str
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class PublishedCurve:
+    """One of the 44 curves of Fig. 5.5, by its row in Tables 5.1 to 5.8 and A.1 or A.2.
+
+    The tables print estimates, not the fits; `f0_hz` and `b_over_f0` are worked back through (5.6) and (5.7).
+    """
+
+    angle_deg: int
+    omega_pi: float
+    alpha_deg: float
+    omega_estimate_pi: float
+    omega_error_pi: float
+    alpha_estimate_deg: float
+    alpha_error_deg: float
+    r2: float
+    table: str
+    r2_table: str
+
+    @property
+    def f0_hz(self) -> float:
+        """Frequency of the peak, Hz."""
+        known = regression(self.angle_deg)
+        return (self.omega_estimate_pi - known["q1"].value) / known["p1"].value
+
+    @property
+    def b_over_f0(self) -> float:
+        """Half width at half maximum over the frequency of the peak."""
+        known = regression(self.angle_deg)
+        return (self.alpha_estimate_deg - known["q2"].value) / known["p2"].value
+
+    @property
+    def half_width_hz(self) -> float:
+        """Half width at half maximum b, Hz."""
+        return self.b_over_f0 * self.f0_hz
+
+
+@dataclass(frozen=True)
+class Slip:
+    """A place where the source disagrees with itself."""
+
+    where: str
+    says: str
+    implies: str
+    used: str
+
+
+def _text(name: str) -> str:
+    return (files("plategait.thesis") / "data" / name).read_text(encoding="utf-8")
+
+
+@cache
+def numbers() -> dict[str, Any]:
+    """Everything in numbers.toml, as read."""
+    return tomllib.loads(_text("numbers.toml"))
+
+
+@cache
+def curves() -> tuple[PublishedCurve, ...]:
+    """All 44 published curves."""
+    texts = ("table", "r2_table")
+    rows = csv.DictReader(_text("estimates.csv").splitlines())
+    read = [{k: v if k in texts else float(v) for k, v in row.items()} for row in rows]
+    return tuple(PublishedCurve(**{**row, "angle_deg": int(row["angle_deg"])}) for row in read)  # type: ignore[arg-type]
+
+
+@cache
+def regression(angle_deg: int) -> dict[str, Number]:
+    """Coefficients and statistics of sections 5.4 to 5.6 and appendix B at one amplitude, by name."""
+    return {name: Number(**entry) for name, entry in numbers()["regression"][str(angle_deg)].items()}
+
+
+@cache
+def single(name: str) -> Number:
+    """One number of chapters 2, 4 or 5 by name."""
+    return Number(**numbers()["single"][name])
+
+
+@cache
+def slips() -> tuple[Slip, ...]:
+    """Where the source disagrees with itself."""
+    return tuple(Slip(**entry) for entry in tomllib.loads(_text("slips.toml"))["slip"])

@@ -1,0 +1,207 @@
+"""One batch of simulations for all figures and tables, shared between them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plategait.curve import Curve
+from plategait.simulation import Observation, observe, simulate_all
+from plategait.thesis.cases import FIT_FROM, Case, fitted_cases
+from plategait.thesis.shape import Shape, fit_shape
+
+# Runs side by side: more only takes memory, as each brings its samples.
+BATCH = 1600
+STRICT_SLIP_LIMIT = 0.01
+"""The source's own limit of drift, m."""
+
+_Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class CaseRuns:
+    """What the runs of one case show.
+
+    Attributes
+    ----------
+    case : Case
+    observations : tuple of tuples of Observation
+        By frequency, then by start.
+    strict : same
+        With the source's own limit of drift; of the fitted cases only.
+    """
+
+    case: Case
+    observations: tuple[tuple[Observation, ...], ...]
+    strict: tuple[tuple[Observation, ...], ...]
+
+    @cached_property
+    def curve(self) -> Curve:
+        """Mean over the starts."""
+        return _curve(self.case, self.observations)
+
+    @property
+    def fit_from(self) -> float:
+        """Lowest frequency that the fit uses, Hz."""
+        return FIT_FROM.get(int(self.case.angle_deg), 0.0)
+
+    @cached_property
+    def fit(self) -> Shape | None:
+        """Lorentz fit of the mean curve below its run-off."""
+        return _fit(self.curve, self.fit_from)
+
+    def refit(self, fit_from: float, strict: bool = False) -> Shape | None:
+        """Fit made otherwise: from another frequency, or with the source's own limit of drift."""
+        return _fit(_curve(self.case, self.strict) if strict else self.curve, fit_from)
+
+    @cached_property
+    def member_fits(self) -> tuple[Shape | None, ...]:
+        """Fit of each start by itself: how far chaos carries the numbers."""
+        members = range(len(self.observations[0]))
+        return tuple(_fit(_curve(self.case, tuple((o[m],) for o in self.observations)), self.fit_from) for m in members)
+
+    def member_spread(self, name: str) -> float:
+        """Standard deviation over the starts of "f0_hz", "half_width_hz", "peak" or "b_over_f0"."""
+        values = [value_of(fit, name) for fit in self.member_fits if fit is not None]
+        return float(np.std(values, ddof=1)) if len(values) > 1 else math.nan
+
+    def first_starts(self, count: int) -> CaseRuns:
+        """Same case with the first `count` starts only."""
+        return CaseRuns(self.case, tuple(o[:count] for o in self.observations), tuple(o[:count] for o in self.strict))
+
+    @property
+    def acceleration(self) -> _Array:
+        """A_p ω_p² at each frequency, 10⁴ deg/s²."""
+        return self.case.angle_deg * (math.tau * np.array(self.case.frequencies)) ** 2 / 1e4
+
+    @property
+    def best(self) -> int:
+        """Index of the highest rate below the run-off, -1 where nothing stays on the plate."""
+        rates = np.where(self.curve.fitted, self.curve.spin_rate_deg_s, -math.inf)
+        return int(np.argmax(rates)) if np.isfinite(rates).any() else -1
+
+
+def value_of(fit: Shape | None, name: str) -> float:
+    """Number of a fit by name; NaN where there is no fit."""
+    return math.nan if fit is None else float(getattr(fit, name))
+
+
+def _curve(case: Case, observations: tuple[tuple[Observation, ...], ...]) -> Curve:
+    points = [_point(o) for o in observations]
+    return Curve(
+        name=case.label,
+        frequency_hz=np.array(case.frequencies),
+        spin_rate_deg_s=np.array([p[0] for p in points]),
+        spin_rate_sd_deg_s=np.array([p[1] for p in points]),
+        gait=tuple(p[2] for p in points),
+        failure=tuple(p[3] for p in points),
+    )
+
+
+def _fit(curve: Curve, fit_from: float) -> Shape | None:
+    kept = curve.fitted & (curve.frequency_hz >= fit_from)
+    return fit_shape(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept])
+
+
+def _point(observations: tuple[Observation, ...]) -> tuple[float, float, str, str]:
+    """Mean rate and its spread in deg/s, commonest gait and failure: most runs decide, the others are left out."""
+    failures = [o.failure.kind for o in observations if o.failure is not None]
+    failed = 2 * len(failures) > len(observations)
+    valid = [o for o in observations if failed or o.failure is None]
+    rates = np.degrees([o.spin.rate for o in valid if math.isfinite(o.spin.rate)])
+    gaits = [o.gait for o in valid]
+    return (
+        float(rates.mean()) if len(rates) else math.nan,
+        float(rates.std(ddof=1)) if len(rates) > 1 else math.nan,
+        max(sorted(set(gaits)), key=gaits.count),
+        max(sorted(set(failures)), key=failures.count) if failed else "",
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Results:
+    """All runs by case."""
+
+    runs: dict[Case, CaseRuns]
+    repeats: int
+    simulated: float
+
+    def __getitem__(self, case: Case) -> CaseRuns:
+        """Runs of one case."""
+        return self.runs[case]
+
+    def effect(self, case: Case, variant: str, name: str) -> float:
+        """Change of a fit's number when one modelling choice is made differently, from the same starts."""
+        other = self.runs.get(case.but(variant))
+        if other is None:
+            return math.nan
+        base = self.runs[case].first_starts(len(other.observations[0]))
+        return value_of(other.fit, name) - value_of(base.fit, name)
+
+
+def run_cases(
+    cases: Iterable[Case], *, repeats: int, seed: int, progress: Callable[[float], object] | None = None
+) -> Results:
+    """Simulate every frequency of every case, each case once.
+
+    Parameters
+    ----------
+    cases : iterable of Case
+    repeats : int
+        Slightly different starts of each. Departures from the presets, which are only compared, take two at most.
+    seed : int
+        Of the starts.
+    progress : callable, optional
+        Called with the fraction done.
+    """
+    wanted = sorted(set(cases))
+    total = sum(_cost(case, repeats) for case in wanted) or 1.0
+    refitted = set(fitted_cases())
+    runs: dict[Case, CaseRuns] = {}
+    simulated = done = 0.0
+    for batch in _batches(wanted, repeats):
+        each = _repeats(batch[0], repeats)
+        scenarios = [
+            case.scenario.replace(**{"motion.frequency": float(f)}) for case in batch for f in case.frequencies
+        ]
+        share = sum(_cost(case, repeats) for case in batch) / total
+        report = None if progress is None else (lambda x, d=done, s=share, p=progress: p(d + s * x))
+        simulations = iter(simulate_all(scenarios, repeats=each, seed=seed, progress=report))
+        for case in batch:
+            own = [next(simulations) for _ in case.frequencies]
+            simulated += sum(s.simulated for s in own)
+            strict = tuple(
+                tuple(observe(s.scenario.replace(slip_limit=STRICT_SLIP_LIMIT), r) for r in s.recordings)
+                if case in refitted
+                else s.observations
+                for s in own
+            )
+            runs[case] = CaseRuns(case, tuple(s.observations for s in own), strict)
+        done += share
+    return Results(runs, repeats, simulated)
+
+
+def _repeats(case: Case, repeats: int) -> int:
+    return min(repeats, 2) if case.variant and not case.variant.startswith("damping") else repeats
+
+
+def _cost(case: Case, repeats: int) -> float:
+    return len(case.frequencies) * _repeats(case, repeats)
+
+
+def _batches(cases: list[Case], repeats: int) -> Iterable[list[Case]]:
+    """Cases of the same number of starts, at most `BATCH` runs together."""
+    for each in sorted({_repeats(case, repeats) for case in cases}):
+        batch: list[Case] = []
+        for case in (c for c in cases if _repeats(c, repeats) == each):
+            if batch and sum(_cost(c, repeats) for c in batch) + _cost(case, repeats) > BATCH:
+                yield batch
+                batch = []
+            batch.append(case)
+        if batch:
+            yield batch

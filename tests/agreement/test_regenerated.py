@@ -1,0 +1,93 @@
+"""The published numbers against each other, and the regenerated ones against what is asked of them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from published import F0
+
+from plategait.thesis import published, reproduce
+from plategait.thesis.fits import published_fits
+from plategait.thesis.regressions import regress
+from plategait.thesis.report import write_report
+from plategait.thesis.study import NAMES
+
+
+@pytest.mark.parametrize("angle", published.AMPLITUDES)
+def test_the_published_estimates_give_the_published_regressions_back(angle):
+    known, fits = published.regression(angle), published_fits(angle)
+    for line, slope, intercept, r2 in ((fits.of_omega, "p1", "q1", "r2_f0"), (fits.of_alpha, "p2", "q2", "r2_ratio")):
+        assert line.slope == pytest.approx(known[slope].value, rel=5e-3)
+        assert line.intercept == pytest.approx(known[intercept].value, rel=5e-3)
+        assert line.r2 == pytest.approx(known[r2].value, abs=6e-3)
+    assert regress(fits.half_width_hz, fits.alpha_deg).r2 == pytest.approx(known["r2_width"].value, abs=6e-3)
+
+
+@pytest.mark.parametrize("angle", published.AMPLITUDES)
+def test_the_published_estimates_give_the_published_tests_back(angle):
+    known = published.regression(angle)
+    curves = [c for c in published.curves() if c.angle_deg == angle]
+    line = regress([c.alpha_deg for c in curves], [c.alpha_estimate_deg for c in curves])
+    assert line.freedom == known["freedom"].value
+    # The tables are rounded, and one of their estimates is off by 0.02 deg; at 3 deg t comes out 4 % higher.
+    assert line.t_slope()[0] == pytest.approx(known["t_slope"].value, rel=0.04)
+    assert line.t_intercept()[0] == pytest.approx(known["t_intercept"].value, rel=0.07)
+    assert line.t_slope(1.0)[0] == pytest.approx(known["t_unit_slope"].value, rel=0.12)
+    omega = regress([c.omega_pi for c in curves], [c.omega_estimate_pi for c in curves])
+    assert omega.slope == pytest.approx(known["slope_omega"].value, abs=6e-3)
+    assert omega.intercept == pytest.approx(known["intercept_omega"].value, abs=6e-3)
+
+
+def test_the_printed_errors_are_those_of_the_estimates_but_for_one_slip():
+    off = []
+    for c in published.curves():
+        assert abs(c.omega_estimate_pi - c.omega_pi) == pytest.approx(c.omega_error_pi, abs=5e-3)
+        if abs(abs(c.alpha_estimate_deg - c.alpha_deg) - c.alpha_error_deg) > 5e-3:
+            off.append((c.table, c.alpha_deg))
+    assert off == [("5.4", 36.87)]
+    for table, (omega, alpha) in published.numbers()["average_errors"].items():
+        rows = [c for c in published.curves() if c.table == table]
+        assert np.mean([c.omega_error_pi for c in rows]) == pytest.approx(omega, abs=6e-3)
+        assert np.mean([c.alpha_error_deg for c in rows]) == pytest.approx(alpha, abs=6e-3)
+
+
+def test_the_published_peaks_are_the_ones_that_the_engine_is_held_against():
+    ours = {(c.angle_deg, c.omega_pi): c.f0_hz for c in published.curves() if c.alpha_deg == 36.87}
+    assert ours == pytest.approx(F0, abs=1e-3)
+
+
+def test_appendix_a_covers_every_curve():
+    assert [sum(c.r2_table == t for c in published.curves()) for t in ("A.1", "A.2")] == [24, 20]
+    assert all(0.97 <= c.r2 <= 0.99 for c in published.curves())
+
+
+def test_the_bending_frequencies_of_table_5_9_are_half_of_omega():
+    for _, omega, f_n, peak, f_b in published.numbers()["rotation"]["rows"]:
+        assert f_n == pytest.approx(omega / 2)
+        assert f_b == pytest.approx(peak / 360, abs=6e-3)
+
+
+@pytest.fixture(scope="module")
+def study():
+    return reproduce(seed=1)
+
+
+def test_every_item_has_a_verdict_and_the_report_is_whole(study, tmp_path):
+    assert tuple(item.name for item in study.items) == NAMES
+    assert all(item.verdict for item in study.items)
+    page = write_report(study, tmp_path).read_text(encoding="utf-8")
+    assert all(f'id="{name}"' in page for name in NAMES)
+    assert page.count("data:image/png;base64,") == sum(len(item.figures) for item in study.items)
+
+
+@pytest.mark.parametrize("what", ["every curve has a fit", "median |Δf0|", "median |Δ(b/f0)|", "ω_Br max of Table 5.9",
+                                  "R² of ω_n on f0, A_p = 3 deg"])  # fmt: skip
+def test_targets_that_are_met_stay_met(study, what):
+    check = next(c for c in study["targets"].checks if c.what == what)
+    assert check.holds, check.measured
+
+
+def test_what_is_known_to_differ_is_reported_so(study):
+    # Reported as it is, not bent: should one of these come right, the report's notes must change with it.
+    assert not study["fig5.9"].reproduced
+    assert not study["fig4.8"].reproduced
