@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import tomllib
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -107,7 +108,7 @@ class Scenario(Model):
         """Time from which the observables are measured, s."""
         return 0.3 * self.duration if self.transient is None else self.transient
 
-    @property
+    @cached_property
     def dt(self) -> float:
         """Time step used, s: the one given, or the friction law's, 85 % of the stable one or 1/20 of a fast sine."""
         return self._usual_step if self.time_step is None else self.time_step

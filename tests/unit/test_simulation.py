@@ -211,7 +211,7 @@ STATUSES = {
     "off the plate": SHORT.replace(plate=Plate(length=0.01, width=0.01), start={"x": 0.02}),
     "starts far away": SHORT.replace(start={"x": 1e3, "y": -1e3}),
     "thrown": SHORT.replace(**{"motion.angle": 1.5, "motion.frequency": 60}),
-    "hammered": SHORT.replace(**{"motion.stroke": 10.0, "motion.frequency": 60}),
+    "hammered": SHORT.replace(**{"motion.stroke": 1.0, "motion.frequency": 600}),
     "hard contact": SHORT.replace(**{"contact.stiffness": 1e30}),
     "heavy damping": SHORT.replace(**{"contact.damping": 1e30}),
     "hellish gravity": SHORT.replace(gravity=1e30),
