@@ -14,6 +14,11 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from plategait.campaign.opened import Campaign as Campaign
+    from plategait.campaign.opened import open_sweep as open_sweep
+    from plategait.campaign.plan import Sweep as Sweep
+    from plategait.campaign.plan import read_sweep as read_sweep
+    from plategait.campaign.run import sweep as sweep
     from plategait.contact import Contact as Contact
     from plategait.contact import Friction as Friction
     from plategait.curve import Curve as Curve
@@ -45,6 +50,9 @@ if TYPE_CHECKING:
     from plategait.version import __version__ as __version__
 
 _HOMES = {
+    "campaign.opened": ("Campaign", "open_sweep"),
+    "campaign.plan": ("Sweep", "read_sweep"),
+    "campaign.run": ("sweep",),
     "contact": ("Contact", "Friction"),
     "curve": ("Curve", "read_curve", "spin_curve", "write_curve"),
     "errors": ("InputError",),

@@ -11,6 +11,7 @@ import typer
 from typer.exceptions import TyperException
 
 from plategait.cli import options, report
+from plategait.cli.sweep import plot_store, sweep
 from plategait.cli.thesis import thesis
 from plategait.errors import InputError
 from plategait.output import check_writable
@@ -213,6 +214,8 @@ def scenario_command(
             print(f"{each:18}{preset(each).summary}")
 
 
+app.command()(sweep)
+app.command(name="plot")(plot_store)
 app.command()(thesis)
 
 

@@ -1,0 +1,157 @@
+"""A store opened for reading: checked, labelled, and as a grid where it is one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plategait.campaign.plan import Sweep, sweep_of_json
+from plategait.campaign.points import Point, base_points
+from plategait.campaign.refine import COUNTED, Outcomes, outcomes
+from plategait.campaign.store import Store, check_path
+from plategait.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@dataclass(frozen=True, eq=False)
+class Campaign:
+    """A store and how far it has come.
+
+    Attributes
+    ----------
+    path : Path
+    plan : Sweep
+    done : (n_points,) bool array
+        Points that have been run and are whole on the disk.
+    damaged : tuple of int
+        Points whose batch is damaged.
+    said : str
+        What is damaged, in words.
+    attributes : dict
+    """
+
+    path: Path
+    plan: Sweep
+    done: NDArray[np.bool_]
+    damaged: tuple[int, ...]
+    said: str
+    attributes: dict[str, Any]
+
+    @property
+    def n_base(self) -> int:
+        """Points that the plan names; those after them refine it."""
+        return int(self.attributes["base_points"])
+
+    @property
+    def complete(self) -> bool:
+        """Whether every point that the plan names has been run, and nothing is damaged."""
+        return not self.damaged and bool(self.done[: self.n_base].all())
+
+    @cached_property
+    def data(self) -> xarray.Dataset:
+        """Points that have been run, dimensions ``point`` × ``repeat``; read when used."""
+        import xarray
+
+        everything = xarray.open_zarr(self.path, chunks=None).drop_vars(["checksum", "status"])
+        return everything if self.done.all() else everything.isel(point=np.nonzero(self.done)[0])
+
+    @property
+    def points(self) -> list[Point]:
+        """Values of the swept parameters at each point of `data`."""
+        names = [p.name for p in self.plan.parameters]
+        values = [self.data[name].values.tolist() for name in names]
+        return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]
+
+    @property
+    def outcomes(self) -> Outcomes:
+        """Rate, gait and failure of each point of `data`, over its repeats."""
+        return outcomes(*(self.data[name].values for name in COUNTED))
+
+    def as_grid(self) -> xarray.Dataset:
+        """Points of a grid with one dimension for each parameter, without those that refine it.
+
+        Raises
+        ------
+        InputError
+            For what is no grid, or is not complete.
+        """
+        import xarray
+
+        if not self.plan.grid or not self.complete:
+            got = "points that are no grid" if not self.plan.grid else f"{int(self.done.sum())} points of {self.n_base}"
+            raise InputError("grid", got, "a complete grid", "data, which has a dimension point")
+        grid = self.plan.grid
+        data, shape = self.data.isel(point=slice(0, self.n_base)), tuple(map(len, grid.values()))
+        whole = xarray.Dataset(attrs=data.attrs)
+        for name, values in data.data_vars.items():
+            reshaped = values.values.reshape(*shape, *values.shape[1:])
+            whole[name] = ((*grid, *values.dims[1:]), reshaped, values.attrs)
+        if "time" in data:
+            whole = whole.assign_coords(time=data["time"])
+        for p in self.plan.parameters:
+            whole = whole.assign_coords({p.name: (p.name, np.array(grid[p.name]), {"units": p.unit})})
+        return whole
+
+    def summary(self) -> dict[str, Any]:
+        """Plain numbers for `--json`."""
+        numbers: dict[str, Any] = {
+            "store": str(self.path),
+            "title": self.plan.name,
+            "parameters": [p.name for p in self.plan.parameters],
+            "points": self.n_base,
+            "refined_points": len(self.done) - self.n_base,
+            "points_done": int(self.done.sum()),
+            "points_damaged": len(self.damaged),
+            "damaged": self.said or None,
+            "complete": self.complete,
+            "repeats": self.plan.repeats,
+            "engine": self.plan.engine,
+            "seed": self.plan.seed,
+            "fingerprint": self.attributes["fingerprint"],
+        }
+        if not self.done.any() or self.damaged:
+            return numbers
+        shown = self.outcomes
+        height = np.where(shown.failed | ~np.isfinite(shown.rate), -1.0, np.abs(shown.rate))
+        best = int(height.argmax())
+        numbers["failed_points"] = int(shown.failed.sum())
+        numbers["gaits"] = {g or "none": shown.gait.count(g) for g in dict.fromkeys(shown.gait)}  # type: ignore[attr-defined]
+        if height[best] >= 0:
+            numbers["fastest"] = {"spin_rate_rad_s": float(shown.rate[best]), "at": self.points[best]}
+        return numbers
+
+
+def open_sweep(path: Path | str, *, damaged: bool = False) -> Campaign:
+    """Open a store for reading, after checking every batch that claims to be whole.
+
+    Parameters
+    ----------
+    path : path
+        Of the store.
+    damaged : bool
+        Open it even when some of it is damaged; those points are left out.
+
+    Raises
+    ------
+    InputError
+        When there is no store, or it is damaged.
+    """
+    path = Path(path)
+    check_path(path)
+    if not path.is_dir():
+        raise InputError("store", str(path), "a store", f"plategait sweep {path.stem}.toml")
+    store = Store(path)
+    plan = sweep_of_json(store.attributes["sweep"])
+    done, lost = store.state()
+    said = store.describe(lost, base_points(plan)) if lost else ""
+    if lost and not damaged:
+        raise InputError("store", f"{path} with {said}", "whole", "plategait sweep … --repair, to run these again")
+    points = tuple(i for batch in lost for i in store.batches()[batch])
+    return Campaign(path, plan, done, points, said, dict(store.attributes))

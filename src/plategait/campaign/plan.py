@@ -1,0 +1,188 @@
+"""The plan of a sweep: which points, how often, and what is kept. Read from TOML."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field, model_validator
+
+from plategait.campaign.parameters import Parameter, Value, apply, find_parameter
+from plategait.errors import InputError
+from plategait.model import Model
+from plategait.presets import PRESETS, preset
+from plategait.scenario import Scenario, read_scenario, write_scenario
+from plategait.units import ANGULAR_FREQUENCY, Duration
+
+EXAMPLE = "examples/sweep.toml"
+
+
+class Sample(Model):
+    """Points spread evenly over ranges."""
+
+    count: int = Field(gt=0, le=10**7, description="points", examples=["128"])
+    method: Literal["sobol", "latin-hypercube"] = Field(default="sobol", description="how they are spread")
+    ranges: dict[str, Any] = Field(
+        description="from and to, by parameter", examples=['{ "motion.frequency" = ["10 Hz", "30 Hz"] }']
+    )
+
+
+class Record(Model):
+    """What is kept of each run beside its summary."""
+
+    channels: tuple[str, ...] = Field(default=(), description="time series by name", examples=['["rotation"]'])
+    interval: Duration = Field(default=0.01, description="time between their samples")
+    snapshots: Duration | None = Field(default=None, description="time between recorded shapes")
+
+
+class Sweep(Model):
+    """A plan: exactly one of `grid`, `points` and `sample` says which points.
+
+    ``grid`` takes every combination of its lists, ``points`` takes its lists side by side. Beside what is stored here,
+    ``set`` may be given: parameters that are the same at every point.
+    """
+
+    name: str = Field(default="sweep", description="what the results call it", examples=['"sweep"'])
+    scenario: Scenario = Field(description="what is varied: a preset, a file or a table", examples=['"cheese"'])
+    grid: dict[str, Any] = Field(default={}, description="every combination of lists by parameter")
+    points: dict[str, Any] = Field(default={}, description="lists side by side, by parameter")
+    sample: Sample | None = Field(default=None, description="space-filling points")
+    repeats: int = Field(default=1, ge=1, le=10**4, description="runs of each point, from different starts")
+    seed: int = Field(default=0, ge=0, le=2**63 - 1, description="of the starts and of the sample", examples=["0"])
+    engine: Literal["cpu", "cpu64"] = Field(default="cpu", description="precision of the native core")
+    batch: int | None = Field(default=None, ge=1, le=10**5, description="points written at a time", examples=["64"])
+    record: Record = Field(default_factory=Record, description="what is kept beside the summary")
+    nominal_natural_frequency: float | None = Field(
+        default=None, description="what the sheet's own natural frequency is called", examples=['"10 pi rad/s"']
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _read(cls, data: Any) -> Any:
+        if not isinstance(data, dict) or "scenario" not in data:
+            return data
+        data = dict(data)
+        scenario = _scenario(data["scenario"])
+        nominal = data.get("nominal_natural_frequency")
+        if nominal is not None:
+            nominal = ANGULAR_FREQUENCY.read(nominal, "nominal_natural_frequency")
+        fixed = _flat(data.pop("set", {}), "set")
+        fixed = {name: find_parameter(scenario, name).read(value) for name, value in fixed.items()}
+        scenario = apply(scenario, fixed, nominal)
+        for kind in ("grid", "points"):
+            lists = _flat(data.get(kind) or {}, kind)
+            data[kind] = {name: find_parameter(scenario, name).read_values(lists[name]) for name in lists}
+        return data | {"scenario": scenario, "nominal_natural_frequency": nominal}
+
+    @model_validator(mode="after")
+    def _one_kind(self) -> Sweep:
+        kinds = [kind for kind in ("grid", "points", "sample") if getattr(self, kind)]
+        if len(kinds) != 1:
+            raise InputError("sweep", "nothing of the three" if not kinds else " and ".join(kinds),
+                             "one of grid, points and sample", '[grid] "motion.frequency" = "12:30:1 Hz"')  # fmt: skip
+        lengths = {name: len(values) for name, values in self.points.items()}
+        if len(set(lengths.values())) > 1:
+            got = ", ".join(f"{name} {length}" for name, length in lengths.items())
+            raise InputError("points", got, "lists of one length", "a grid for every combination")
+        self.sample_ranges()
+        if self.record.interval < 1e-4 or (self.record.snapshots or 1.0) < 1e-3:
+            raise InputError("record", "an interval too short", "0.1 ms or more, 1 ms for snapshots", '"10 ms"')
+        from plategait.campaign.trajectories import check_channels
+
+        check_channels(self.record.channels)
+        return self
+
+    def sample_ranges(self) -> dict[str, tuple[float, float]]:
+        """From and to of each sampled parameter, SI."""
+        ranges: dict[str, tuple[float, float]] = {}
+        if self.sample is None:
+            return ranges
+        for name, given in _flat(self.sample.ranges, "sample.ranges").items():
+            parameter = find_parameter(self.scenario, name)
+            ends = parameter.read_values(given)
+            if parameter.quantity is None or len(ends) != 2 or not ends[0] < ends[1]:  # type: ignore[operator]
+                hint = f"[{parameter.example}, twice as much]"
+                raise InputError(f"sample.ranges.{name}", given, "two numbers that rise", hint)
+            ranges[name] = (float(ends[0]), float(ends[1]))
+        if not ranges:
+            raise InputError("sample.ranges", "nothing", "at least one range", '"motion.frequency" = ["9 Hz", "30 Hz"]')
+        return ranges
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """What is varied, in order."""
+        names = self.sample_ranges() or self.grid or self.points
+        return tuple(find_parameter(self.scenario, name) for name in names)
+
+    def at(self, values: Mapping[str, Value]) -> Scenario:
+        """Scenario at a point."""
+        return apply(self.scenario, values, self.nominal_natural_frequency)
+
+    def to_json(self) -> str:
+        """Everything but the batch size, as text that `sweep_of_json` reads back the same."""
+        sample = self.sample and {"count": self.sample.count, "method": self.sample.method,
+                                  "ranges": self.sample_ranges()}  # fmt: skip
+        record = {name: getattr(self.record, name) for name in type(self.record).model_fields}
+        plain = {name: getattr(self, name) for name in ("name", "grid", "points", "repeats", "seed", "engine")}
+        nominal = self.nominal_natural_frequency
+        return json.dumps(
+            plain | {"scenario": write_scenario(self.scenario), "sample": sample, "record": record,
+                     "nominal_natural_frequency": nominal}
+        )  # fmt: skip
+
+
+def sweep_of_json(text: str) -> Sweep:
+    """Sweep from the text of `Sweep.to_json`."""
+    data = json.loads(text)
+    return Sweep(**data | {"scenario": tomllib.loads(data["scenario"])})
+
+
+def read_sweep(path: Path | str) -> Sweep:
+    """Read a sweep from a TOML file.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, is no TOML, or a field is not as it must be.
+    """
+    path = Path(path)
+    try:
+        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    except tomllib.TOMLDecodeError as error:
+        raise InputError("sweep", str(path), f"TOML ({error})", EXAMPLE) from None
+    except (OSError, ValueError):
+        raise InputError("sweep", str(path), "a sweep file", EXAMPLE) from None
+    given = data.get("scenario")
+    if isinstance(given, str) and given not in PRESETS:
+        data["scenario"] = read_scenario(path.parent / given)
+    return Sweep(**{"name": path.stem} | data)
+
+
+def _scenario(given: Any) -> Scenario:
+    """Scenario of a preset's name, a file, a table, or itself."""
+    if isinstance(given, Scenario):
+        return given
+    if isinstance(given, Mapping):
+        try:
+            return Scenario(**given)
+        except InputError as error:
+            raise InputError(f"scenario.{error.field}", error.got, error.allowed, error.hint) from None
+    if isinstance(given, str) and not Path(given).suffix:
+        return preset(given).scenario
+    return read_scenario(given)
+
+
+def _flat(table: Any, field: str) -> dict[str, Any]:
+    """Dotted names of nested tables: in TOML ``motion.frequency = …`` is a table in a table."""
+    if not isinstance(table, Mapping):
+        raise InputError(field, table, "a table of parameters", f'[{field}] "motion.frequency" = …')
+    flat: dict[str, Any] = {}
+    for name, value in table.items():
+        if isinstance(value, Mapping) and not {"from", "to", "count"} & set(value):
+            flat |= {f"{name}.{inner}": v for inner, v in _flat(value, field).items()}
+        else:
+            flat[name] = value
+    return flat
