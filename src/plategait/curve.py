@@ -18,9 +18,16 @@ from plategait.observables import GAITS
 from plategait.output import whole_file
 from plategait.scenario import Scenario
 from plategait.simulation import Simulation, plain, simulate_all
+from plategait.table import Column, read_table
 from plategait.units import FREQUENCY
 
 COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure")
+_MEASURED = {
+    "frequency": Column("Hz", above=0.0),
+    "spin_rate": Column("rad/s", "deg/s", blank=True),
+    "spin_rate_sd": Column("rad/s", "deg/s", required=False, at_least=0.0),
+    "angle": Column("rad", "deg", required=False, above=0.0),
+}
 # Successive failed frequencies that end a curve.
 RUN_OFF = 3
 
@@ -42,6 +49,8 @@ class Curve:
         Why there is no fit.
     simulations : tuple of Simulation
         Behind each point; empty for a measured curve.
+    angle_deg : (n,) array or None
+        Angular amplitude A_p of each point, where the file tells it.
     """
 
     name: str
@@ -53,6 +62,7 @@ class Curve:
     fit: LorentzFit | None = None
     no_fit: str = ""
     simulations: tuple[Simulation, ...] = ()
+    angle_deg: NDArray[np.float64] | None = None
 
     @property
     def fitted(self) -> NDArray[np.bool_]:
@@ -212,52 +222,26 @@ def write_curve(curve: Curve, path: Path | str) -> None:
 
 
 def read_curve(path: Path | str) -> Curve:
-    """Read a curve from CSV: frequency_hz, spin_rate_deg_s and, where known, spin_rate_sd_deg_s, gait, failure.
+    """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known spin_rate_sd_deg_s, gait, failure, angle_deg.
 
-    Empty cells are points without that knowledge.
+    Other units in the headings are read as well (see `plategait.table`). Empty cells are points without that knowledge.
 
     Raises
     ------
     InputError
         When the file cannot be read, lacks a column, or holds what is no number; names the line.
     """
-    path = Path(path)
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            reader = csv.reader(file)
-            table = [(reader.line_num, [cell.strip() for cell in row]) for row in reader if row]
-    except (OSError, UnicodeDecodeError, csv.Error):
-        hint = "plategait curve cheese --out curve.csv"
-        raise InputError("curve", str(path), "a CSV file that can be read", hint) from None
-    head = table[0][1] if table else []
-    if not {"frequency_hz", "spin_rate_deg_s"} <= set(head) or len(table) < 2:
-        found = f"{len(table[1:])} rows of {', '.join(head) or 'nothing'}"
-        raise InputError("curve", found, "rows of frequency_hz and spin_rate_deg_s", "frequency_hz,spin_rate_deg_s")
-    rows = [dict(zip(head, cells, strict=False)) for _, cells in table[1:]]
-    lines = [line for line, _ in table[1:]]
-
-    def numbers(column: str, allowed: str, least: float, required: bool = False) -> NDArray[np.float64]:
-        """One column; an empty cell is not known."""
-        values = []
-        for row, line in zip(rows, lines, strict=True):
-            text = row.get(column, "")
-            try:
-                value = float(text) if text or required else math.nan
-            except ValueError:
-                value = math.inf
-            if not (value > least and math.isfinite(value)) and (text or required):
-                raise InputError(f"{path.name} line {line}, {column}", text or "nothing", allowed, "24.0")
-            values.append(value)
-        return np.array(values)
-
-    gait = tuple(row.get("gait", "") for row in rows)
+    table = read_table(path, _MEASURED, text=("gait", "failure"), field="curve", example="frequency_hz,spin_rate_deg_s")
+    gait = table.text["gait"]
     if unknown := set(gait) - {"", *GAITS}:
         raise InputError("gait", unknown.pop(), f"one of {', '.join(GAITS)}, or empty", "walking")
+    empty = np.full(len(table), math.nan)
     return Curve(
-        name=path.stem,
-        frequency_hz=numbers("frequency_hz", "a number above 0", 0.0, required=True),
-        spin_rate_deg_s=numbers("spin_rate_deg_s", "a number, or empty", -math.inf),
-        spin_rate_sd_deg_s=numbers("spin_rate_sd_deg_s", "a number, at least 0, or empty", -1e-300),
+        name=table.path.stem,
+        frequency_hz=table["frequency"],
+        spin_rate_deg_s=table["spin_rate"],
+        spin_rate_sd_deg_s=table.get("spin_rate_sd", empty),
         gait=gait,
-        failure=tuple(row.get("failure", "") for row in rows),
+        failure=table.text["failure"],
+        angle_deg=table.numbers.get("angle"),
     )

@@ -60,6 +60,12 @@ class Model(_Fields):
         return type(self)(**fields)
 
 
+def quantity_of(model: type[Model], name: str) -> Quantity | None:
+    """What a field measures; None where it is no number, or there is no such field."""
+    metadata = model.model_fields[name].metadata if name in model.model_fields else []
+    return next((m for m in metadata if isinstance(m, Quantity)), None)
+
+
 def _unknown_field(model: type[Model], name: str) -> InputError:
     known = list(model.model_fields)
     close = difflib.get_close_matches(name, known, n=1)
@@ -68,9 +74,8 @@ def _unknown_field(model: type[Model], name: str) -> InputError:
 
 def _example(model: type[Model], name: str) -> str:
     """What to type for a field."""
-    field = model.model_fields[name]
-    quantity = next((m for m in field.metadata if isinstance(m, Quantity)), None)
-    return f'"{quantity.example}"' if quantity else str((field.examples or ["leaving it out"])[0])
+    quantity = quantity_of(model, name)
+    return f'"{quantity.example}"' if quantity else str((model.model_fields[name].examples or ["leaving it out"])[0])
 
 
 def _input_error(model: type[Model], detail: ErrorDetails) -> InputError:

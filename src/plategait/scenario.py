@@ -13,7 +13,7 @@ from pydantic import Field, model_validator
 
 from plategait.contact import Contact, Friction
 from plategait.errors import InputError
-from plategait.model import Model
+from plategait.model import Model, quantity_of
 from plategait.motion import PlateMotion
 from plategait.sheet import Sheet
 from plategait.units import Acceleration, Angle, Delay, Duration, Length, Offset, Quantity, show
@@ -178,7 +178,7 @@ def _table(model: Model, prefix: str, notes: dict[str, str]) -> list[str]:
             if not field.is_required() and name in ("plate", "transient", "time_step"):
                 lines.append(f"# {name} is left out: {remark}")
             continue
-        quantity = next((m for m in field.metadata if isinstance(m, Quantity)), None)
+        quantity = quantity_of(type(model), name)
         lines.append(f"{name} = {_literal(value, quantity)}" + (f"  # {remark}" if remark else ""))
     return [*lines, *nested]
 
