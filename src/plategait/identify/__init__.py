@@ -1,0 +1,1 @@
+"""Bench recordings become joint parameters (section 3.3)."""
