@@ -26,6 +26,12 @@ if TYPE_CHECKING:
     from plategait.curve import spin_curve as spin_curve
     from plategait.curve import write_curve as write_curve
     from plategait.errors import InputError as InputError
+    from plategait.estimate.planning import next_measurement as next_measurement
+    from plategait.estimate.result import Estimate as Estimate
+    from plategait.estimate.result import estimate_parameters as estimate_parameters
+    from plategait.fragment import Fragment as Fragment
+    from plategait.fragment import read_fragment as read_fragment
+    from plategait.fragment import write_fragment as write_fragment
     from plategait.lorentz import LorentzFit as LorentzFit
     from plategait.lorentz import fit_lorentzian as fit_lorentzian
     from plategait.motion import PlateMotion as PlateMotion
@@ -56,6 +62,9 @@ _HOMES = {
     "contact": ("Contact", "Friction"),
     "curve": ("Curve", "read_curve", "spin_curve", "write_curve"),
     "errors": ("InputError",),
+    "estimate.planning": ("next_measurement",),
+    "estimate.result": ("Estimate", "estimate_parameters"),
+    "fragment": ("Fragment", "read_fragment", "write_fragment"),
     "lorentz": ("LorentzFit", "fit_lorentzian"),
     "motion": ("PlateMotion", "Samples", "Wave"),
     "outline": ("Disk", "Ellipse", "Mask", "Polygon", "Rectangle"),

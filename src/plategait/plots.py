@@ -45,7 +45,8 @@ def _figure(width: float, height: float) -> Figure:
     return Figure(figsize=(width, height), layout="constrained")
 
 
-def _plain(axes: Axes, x: str, y: str) -> None:
+def label_axes(axes: Axes, x: str, y: str) -> None:
+    """Label both axes and leave out the frame they do not need."""
     axes.set_xlabel(x)
     axes.set_ylabel(y)
     axes.spines[["top", "right"]].set_visible(False)
@@ -88,7 +89,7 @@ def plot_curve(curve: Curve) -> Figure:
         axes.plot(
             f[beyond], rate[beyond], "x", color=GREY, ms=9, mew=1, label="beyond the run-off: left out of the fit"
         )
-    _plain(axes, "plate frequency $f_p$ (Hz)", "spin rate $\\omega_B$ (deg/s)")
+    label_axes(axes, "plate frequency $f_p$ (Hz)", "spin rate $\\omega_B$ (deg/s)")
     axes.set_title(curve.name, loc="left", fontsize=11)
     axes.set_ylim(bottom=min(0.0, float(np.nanmin(np.append(rate, 0.0)))))
     axes.legend(frameon=False, fontsize=8.5, loc="lower right")
@@ -160,7 +161,7 @@ def _draw_rotation(axes: Axes, simulation: Simulation) -> None:
         label += "" if spin.settled else ", not settled"
         axes.plot(window, middle + slope * (window - window.mean()), color="black", lw=1, ls="--", label=label)
         axes.legend(frameon=False, fontsize=8.5, loc="upper left")
-    _plain(axes, "time (s)", "rotation (deg)")
+    label_axes(axes, "time (s)", "rotation (deg)")
 
 
 def _draw_slip(axes: Axes, simulation: Simulation) -> None:
@@ -177,7 +178,7 @@ def _draw_slip(axes: Axes, simulation: Simulation) -> None:
         0.01, limit, f"limit {limit:g} mm", color=GREY, va="bottom", fontsize=8.5, transform=axes.get_yaxis_transform()
     )
     axes.set_ylim(0, 1.3 * furthest)
-    _plain(axes, "time (s)", "slip of the centre (mm)")
+    label_axes(axes, "time (s)", "slip of the centre (mm)")
 
 
 def _draw_legs(axes: Axes, simulation: Simulation) -> None:
@@ -193,7 +194,7 @@ def _draw_legs(axes: Axes, simulation: Simulation) -> None:
         axes.text(-0.01, row + 0.4, label, transform=axes.get_yaxis_transform(), ha="right", va="center", fontsize=8.5)
     axes.set_yticks([])
     axes.set_ylim(-0.1, 3)
-    _plain(axes, "time (ms)", "")
+    label_axes(axes, "time (ms)", "")
     axes.spines["left"].set_visible(False)
     gait = simulation.observations[0].gait or "nothing measured"
     axes.set_title(f"share of the time in contact: {gait}", loc="left", fontsize=9.5)
@@ -215,7 +216,7 @@ def _draw_energy(axes: Axes, energy: observables.EnergyLedger) -> None:
     for i, value in enumerate(values):
         axes.text(value, i, f" {value:.3g}", va="center", fontsize=8.5)
     axes.margins(x=0.15)
-    _plain(axes, "energy over the run (mJ)", "")
+    label_axes(axes, "energy over the run (mJ)", "")
 
 
 def plot_modes(sheet: Sheet, count: int = 6) -> Figure:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,6 +13,8 @@ import typer
 from typer.exceptions import TyperException
 
 from plategait.cli import options, report
+from plategait.cli.estimate import estimate
+from plategait.cli.identify import identify
 from plategait.cli.sweep import plot_store, sweep
 from plategait.cli.thesis import thesis
 from plategait.errors import InputError
@@ -21,6 +25,7 @@ from plategait.units import FREQUENCY
 
 if TYPE_CHECKING:
     from plategait.curve import Curve
+    from plategait.scenario import Scenario
     from plategait.simulation import Simulation
 
 INTERRUPTED = 130
@@ -57,6 +62,8 @@ def simulate(
     mu_k: options.MuK = None,
     friction_law: options.Law = None,
     duration: options.Duration = None,
+    measured: options.With = None,
+    draws: options.Draws = 0,
     repeats: options.Repeats = 1,
     seed: options.Seed = 0,
     dt: options.Dt = None,
@@ -78,18 +85,24 @@ def simulate(
         (film, (".mp4",), "--film"),
         (filmstrip, (".png",), "--filmstrip"),
     )
-    chosen = options.build(
-        scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
-        friction_law=friction_law, duration=duration, dt=dt,
+    if draws and not measured:
+        raise InputError("--draws", draws, "left out where --with gives nothing to draw from", "--with bending.toml")
+    build = partial(
+        options.build, scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke,
+        mu_s=mu_s, mu_k=mu_k, friction_law=friction_law, duration=duration, dt=dt, measured=measured,
         frequency=FREQUENCY.read(frequency, "--frequency") if frequency is not None else None,
     )  # fmt: skip
+    chosen = build()
     with report.progress_bar("simulating") as progress:
         result = simulation.simulate(
             chosen, repeats=repeats, seed=seed, engine=engine, progress=progress,
             snapshot_interval=simulation.FILM_INTERVAL if out or film or filmstrip else 0.0,
         )  # fmt: skip
     _write_pictures(result, out, plot, film, filmstrip)
-    report.print_json(result.summary()) if as_json else report.print_simulation(result)
+    drawn = _drawn(build, draws, seed, engine) if draws else None
+    report.print_json(result.summary() | ({"draws": drawn} if drawn else {})) if as_json else report.print_simulation(
+        result, drawn
+    )
     raise typer.Exit(1 if result.failed else 0)
 
 
@@ -107,6 +120,7 @@ def curve(
     mu_k: options.MuK = None,
     friction_law: options.Law = None,
     duration: options.Duration = None,
+    measured: options.With = None,
     repeats: options.Repeats = 1,
     seed: options.Seed = 0,
     dt: options.Dt = None,
@@ -121,7 +135,7 @@ def curve(
     _check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
     chosen = options.build(
         scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
-        friction_law=friction_law, duration=duration, dt=dt,
+        friction_law=friction_law, duration=duration, dt=dt, measured=measured,
     )  # fmt: skip
     with report.progress_bar("simulating") as progress:
         result = spin_curve(
@@ -214,6 +228,8 @@ def scenario_command(
             print(f"{each:18}{preset(each).summary}")
 
 
+app.command()(estimate)
+app.add_typer(identify, name="identify")
 app.command()(sweep)
 app.command(name="plot")(plot_store)
 app.command()(thesis)
@@ -224,6 +240,21 @@ def _check_outputs(*outputs: tuple[Path | None, tuple[str, ...], str]) -> None:
     for path, suffixes, option in outputs:
         if path is not None:
             check_writable(path, suffixes, option)
+
+
+def _drawn(build: Callable[..., Scenario], draws: int, seed: int, engine: str) -> dict[str, float | int | None]:
+    """Spin rates of draws of what was measured: median and 95 % interval, deg/s, and how many failed."""
+    import numpy as np
+
+    from plategait import simulation
+
+    generator = np.random.default_rng(seed)
+    scenarios = [build(generator=generator) for _ in range(draws)]
+    with report.progress_bar("drawing") as progress:
+        runs = simulation.simulate_all(scenarios, seed=seed, engine=engine, progress=progress)  # type: ignore[arg-type]
+    rates = np.degrees([r.spin_rate for r in runs if not r.failed])
+    low, middle, high = np.quantile(rates, [0.025, 0.5, 0.975]).tolist() if len(rates) else (None, None, None)
+    return {"runs": draws, "failed": draws - len(rates), "spin_rate_deg_s": middle, "low": low, "high": high}
 
 
 def _write_pictures(

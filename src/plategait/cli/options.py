@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from plategait.errors import InputError
+from plategait.fragment import overlay, read_fragment
 from plategait.presets import PRESETS, preset
 from plategait.scenario import Scenario, read_scenario
 from plategait.units import ANGULAR_FREQUENCY, PLATE_ANGLE, PLATE_STROKE, Quantity
+
+if TYPE_CHECKING:
+    from numpy.random import Generator
 
 _STEP = Quantity("s", "s", "1e-4 s", above=0)
 _DURATION = Quantity("s", "s", "4 s", above=0)
@@ -39,6 +43,16 @@ Seed = Annotated[int, typer.Option("--seed", help="Of the different starts.")]
 Dt = Annotated[str | None, typer.Option("--dt", help='Time step: "1e-4 s". Chosen from the stiffness if left out.')]
 Engine = Annotated[str, typer.Option("--engine", help="cpu (single precision) or cpu64 (double).")]
 Plot = Annotated[Path | None, typer.Option("--plot", help="Write a plot: .png, .pdf or .svg.")]
+With = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--with", help="Lay measured parameters (.toml of identify or estimate) over the scenario; repeatable."
+    ),
+]
+Draws = Annotated[
+    int,
+    typer.Option("--draws", help="Run this many draws of what --with is uncertain of; 0 runs its values only.", min=0),
+]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
 
 
@@ -64,9 +78,14 @@ def build(
     friction_law: str | None = None,
     duration: str | None = None,
     dt: str | None = None,
+    measured: list[Path] | None = None,
+    generator: Generator | None = None,
 ) -> Scenario:
-    """Scenario with the options of the command line laid over it, each read under its option's name."""
-    scenario = load(name)
+    """Scenario with the options of the command line laid over it, each read under its option's name.
+
+    Measured parameters are laid under them, drawn from their uncertainty where a generator is given.
+    """
+    scenario = overlay(load(name), [read_fragment(path) for path in measured or []], generator)
     changes: dict[str, Any] = {}
     if sheet is not None:
         changes["sheet"] = load(sheet, "--sheet").sheet

@@ -24,7 +24,8 @@ def print_json(numbers: dict[str, Any]) -> None:
     print(json.dumps(numbers, indent=2, ensure_ascii=False, allow_nan=False))
 
 
-def _table(title: str, columns: list[str], rows: list[list[str]]) -> None:
+def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
+    """Print a table with a title."""
     from rich import box
     from rich.console import Console
     from rich.markup import escape
@@ -43,14 +44,15 @@ def _number(value: float | None, digits: int = 1) -> str:
     return "–" if value is None or not math.isfinite(value) else f"{value:.{digits}f}"
 
 
-def print_simulation(simulation: Simulation) -> None:
-    """Print what one simulation shows."""
+def print_simulation(simulation: Simulation, drawn: dict[str, Any] | None = None) -> None:
+    """Print what one simulation shows, and what draws of measured parameters make of its spin rate."""
     s, o = simulation.summary(), simulation.scenario
     low, high = s["spin_rate_interval_deg_s"]
     spread = f" ± {_number(s['spin_rate_sd_deg_s'])} over {s['runs']} runs" if s["runs"] > 1 else ""
     rows = [
         ["spin rate", f"{_number(s['spin_rate_deg_s'])} deg/s{spread}"],
         ["95 % interval", f"{_number(low)} to {_number(high)} deg/s"],
+        *_drawn_row(drawn),
         ["settled", "yes" if s["settled"] else "no"],
         ["gait", s["gait"] or "–"],
         ["failure", f"{s['failure']} at {s['failure_time_s']:.2f} s" if s["failed"] else "none"],
@@ -64,11 +66,19 @@ def print_simulation(simulation: Simulation) -> None:
         ["speed", f"{_number(s['simulated_s_per_wall_s'])} simulated seconds per second"],
     ]
     motion = o.motion
-    _table(
+    print_table(
         f"{o.name}: {motion.frequency:g} Hz, {math.degrees(motion.angle):.3g} deg, {1e3 * motion.stroke:.3g} mm",
         ["", ""],
         rows,
     )
+
+
+def _drawn_row(drawn: dict[str, Any] | None) -> list[list[str]]:
+    if drawn is None:
+        return []
+    interval = f"{_number(drawn['low'])} to {_number(drawn['high'])} deg/s"
+    failed = f", {drawn['failed']} of {drawn['runs']} fail" if drawn["failed"] else ""
+    return [[f"over {drawn['runs']} draws of what was measured", interval + failed]]
 
 
 def print_curve(curve: Curve) -> None:
@@ -79,7 +89,7 @@ def print_curve(curve: Curve) -> None:
             f"{frequency:g}", _number(curve.spin_rate_deg_s[i]), _number(curve.spin_rate_sd_deg_s[i]),
             curve.gait[i] or "–", curve.failure[i] or "–",
         ])  # fmt: skip
-    _table(f"{curve.name}: spin rate over plate frequency", ["Hz", "deg/s", "sd", "gait", "failure"], rows)
+    print_table(f"{curve.name}: spin rate over plate frequency", ["Hz", "deg/s", "sd", "gait", "failure"], rows)
     print_fit(curve.fit, curve.no_fit)
 
 
@@ -96,7 +106,7 @@ def print_fit(fit: LorentzFit | None, no_fit: str) -> None:
             ("peak", fit.peak, "deg/s", fit.peak_interval),
         )
     ]
-    _table(f"Lorentz fit of {fit.n_points} points, R² = {fit.r2:.3f}", ["", "value", "95 % interval"], rows)
+    print_table(f"Lorentz fit of {fit.n_points} points, R² = {fit.r2:.3f}", ["", "value", "95 % interval"], rows)
 
 
 def print_modes(title: str, modes: Modes, count: int) -> None:
@@ -105,7 +115,7 @@ def print_modes(title: str, modes: Modes, count: int) -> None:
         [str(i), m.name or "–", f"{m.omega / math.pi:.2f} π", f"{m.frequency:.2f}", f"{m.damping_ratio:.3f}"]
         for i, m in enumerate(modes.modes[:count], start=1)
     ]
-    _table(f"{title}: free-vibration modes", ["mode", "shape", "rad/s", "Hz", "damping ratio"], rows)
+    print_table(f"{title}: free-vibration modes", ["mode", "shape", "rad/s", "Hz", "damping ratio"], rows)
 
 
 @contextmanager

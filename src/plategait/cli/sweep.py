@@ -88,4 +88,4 @@ def _print(campaign: Campaign) -> None:
 
         where = ", ".join(f"{p.name} {p.shown(s['fastest']['at'][p.name])}" for p in campaign.plan.parameters)
         rows.append(["fastest spin", f"{show(round(s['fastest']['spin_rate_rad_s'], 4), 'rad/s', 'deg/s')} at {where}"])
-    report._table(f"{s['title']}: {s['store']}", ["", ""], rows)
+    report.print_table(f"{s['title']}: {s['store']}", ["", ""], rows)

@@ -1,0 +1,121 @@
+"""How far off estimates are when the model is wrong, and whether the check on the fit notices.
+
+``python -m benchmarks.robustness [--objects 6]``: data from objects that the estimator's model does not hold, 12 plate
+frequencies spread from 13 to 31 Hz at A_p = 3 deg, 5 % noise, β unknown.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from benchmarks.recovery import BASE, NOISE, Outcome, curve_of, measurement, spread
+from plategait import observables
+from plategait.engine.tiles import TileModel, run_tiles
+from plategait.estimate.parameters import unknowns
+from plategait.estimate.result import estimate_parameters
+from plategait.outline import Disk
+from plategait.scenario import Scenario
+
+OBJECTS = (
+    (5.0, 30.0, 0.53),
+    (8.0, 45.0, 0.7),
+    (12.0, 37.0, 0.53),
+    (18.0, 33.0, 0.8),
+    (25.0, 48.0, 0.45),
+    (30.0, 37.0, 0.6),
+)
+"""ω_n (π rad/s), α (deg), β."""
+
+
+def as_modelled(scenario: Scenario) -> Scenario:
+    """Nothing wrong: what noise alone does."""
+    return scenario
+
+
+def smooth_friction(scenario: Scenario) -> Scenario:
+    """The friction law of the source's solver."""
+    return scenario.replace(**{"friction.law": "adams"})
+
+
+def with_torsion(scenario: Scenario) -> Scenario:
+    """Torsion as stiff as bending, k_t = k_b, instead of free; k_b scaled so that the dish mode stays."""
+    omega = scenario.sheet.natural_frequency
+    sheet = scenario.sheet.replace(torsion_stiffness=scenario.sheet.bending_stiffness)
+    return scenario.replace(sheet=sheet.with_natural_frequency(omega))
+
+
+def larger(scenario: Scenario) -> Scenario:
+    """A radius of 44 mm where 40 mm is told; the mass as told, ω_n as asked."""
+    sheet = scenario.sheet.replace(outline=Disk(radius=0.044), pitch=0.011)
+    return scenario.replace(sheet=sheet.with_natural_frequency(scenario.sheet.natural_frequency))
+
+
+def measured_on_tiles(scenario: Scenario, generator: np.random.Generator) -> dict[float, Outcome]:
+    """Rates of rigid tiles with a quarter of their rotary inertia, run-off by the same limit of slip."""
+    sheet, friction, motion = scenario.sheet, scenario.friction, scenario.motion
+    lattice, frequencies = sheet.lattice, np.linspace(13, 31, 12)
+    model = TileModel(
+        lattice.rest, lattice.axial_edges, node_mass=sheet.node_mass, k_b=sheet.bending_stiffness,
+        c_b=sheet.bending_damping, k_c=sheet.axial_stiffness, c_c=sheet.axial_damping, rotary_inertia=0.25,
+    )  # fmt: skip
+    recorded = run_tiles(
+        model, motion.angle, motion.stroke, frequencies, mu_s=friction.static, mu_k=friction.kinetic,
+        duration=scenario.duration, time_step=2e-5, plate_height=motion.height,
+    )  # fmt: skip
+    tilt, position = recorded["plate_angle"][..., None], recorded["position"]
+    x = position[..., 0] - recorded["plate_shift"][..., None]
+    y = np.cos(tilt) * position[..., 1] + np.sin(tilt) * (position[..., 2] + motion.height)
+    x0, y0 = lattice.rest.T * sheet.pitch
+    points: dict[float, Outcome] = {}
+    for i, f in enumerate(frequencies):
+        angle = observables.rotation(x0 @ y[i].T - y0 @ x[i].T, x0 @ x[i].T + y0 @ y[i].T)
+        slipped = observables.slip(recorded["time"], x[i].mean(axis=1), y[i].mean(axis=1), 1 / f)
+        failed = not np.isfinite(slipped[-1]) or np.nanmax(slipped) > scenario.slip_limit
+        rate = observables.spin_rate(recorded["time"], angle, 1 / f, scenario.measured_from, scenario.duration).rate
+        points[float(f)] = (math.degrees(rate) * (1 + NOISE * generator.normal()), "slipped" if failed else "")
+    return points
+
+
+CHANGES: dict[str, Callable[[Scenario], Scenario]] = {
+    "as modelled": as_modelled, "smooth friction law": smooth_friction, "torsion stiffness": with_torsion,
+    "disk 10 % larger than told": larger,
+}  # fmt: skip
+
+
+def row(name: str, found: list[tuple[Any, tuple[float, float, float]]]) -> str:
+    """One line of the table."""
+    omega = [f["natural_frequency"].median / math.pi - truth[0] for f, truth in found]
+    alpha = [math.degrees(f["friction_angle"].median) - truth[1] for f, truth in found]
+    noticed = sum(not f.check.explained for f, _ in found)
+    return (f"| {name} | {np.median(np.abs(omega)):.1f} | {np.median(omega):+.1f} | {np.median(np.abs(alpha)):.1f} "
+            f"| {np.median(alpha):+.1f} | {noticed} of {len(found)} |")  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--objects", type=int, default=len(OBJECTS))
+    parser.add_argument("--tiles", type=int, default=3, help="objects for the slow tile model")
+    given = parser.parse_args()
+    print(
+        "| data from | median error of ω_n (π rad/s) | bias | of α (deg) | bias | noticed |\n|---|---|---|---|---|---|"
+    )
+    for name in [*CHANGES, "rigid tiles"]:
+        found = []
+        for i, truth in enumerate(OBJECTS[: given.tiles if name == "rigid tiles" else given.objects]):
+            scenario = unknowns(BASE).scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
+            generator = np.random.default_rng(i)
+            if name == "rigid tiles":
+                points = measured_on_tiles(scenario, generator)
+            else:
+                points = spread(measurement(CHANGES[name](scenario), generator))
+            found.append((estimate_parameters(curve_of(points), BASE, noise=NOISE, seed=i), truth))
+        print(row(name, found), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,40 @@
+"""The `identify` commands: bench recordings become joint and friction parameters."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from plategait.cli import options
+from plategait.cli.identify_bending import bending
+from plategait.cli.identify_compression import compression
+from plategait.cli.identify_friction import friction
+from plategait.cli.identify_modes import ring
+from plategait.errors import InputError
+from plategait.output import check_writable
+
+identify = typer.Typer(help="Read joint and friction parameters off bench recordings.")
+identify.command()(bending)
+identify.command()(compression)
+identify.command()(friction)
+identify.command(name="modes")(ring)
+
+KINDS = ("bending", "compression", "friction", "modes")
+
+
+@identify.command()
+def example(
+    kind: Annotated[str, typer.Argument(help=f"One of {', '.join(KINDS)}.")],
+    out: Annotated[Path, typer.Argument(metavar="FILE.csv", help="Where to write it.")],
+    seed: options.Seed = 0,
+) -> None:
+    """Write a recording as a rig would give it, made from Table 4.1's values, to see the format and try a command."""
+    if kind not in KINDS:
+        raise InputError("KIND", kind, f"one of {', '.join(KINDS)}", "bending")
+    check_writable(out, (".csv",), "FILE.csv")
+    from plategait.identify import examples
+
+    examples.WRITERS[kind](out, seed)
+    print(f"wrote {out}; try plategait identify {kind} {out}")

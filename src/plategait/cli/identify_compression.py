@@ -1,0 +1,85 @@
+"""The command that reads the axial joint off a recording of a pressed link."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from plategait.cli import options, report
+from plategait.identify.likelihood import known
+from plategait.identify.shown import words
+from plategait.output import check_writable
+from plategait.units import Quantity
+
+if TYPE_CHECKING:
+    from plategait.identify.compression import CompressionResult
+
+PICTURES = (".png", ".pdf", ".svg")
+_LENGTH = Quantity("m", "mm", "10 mm", above=0)
+_THICKNESS = Quantity("m", "mm", "2.5 mm", above=0)
+_TIME = Quantity("s", "s", "0.05 s")
+
+
+def compression(
+    recording: Annotated[Path, typer.Argument(metavar="PRESS.csv", help="Columns time_s, displacement_mm, force_N.")],
+    thickness: Annotated[str, typer.Option("--thickness", help="d of the pressed link.")] = "2.5 mm",
+    length: Annotated[str, typer.Option("--length", help="l, side of the pressed square.")] = "10 mm",
+    method: Annotated[str, typer.Option("--method", help="trajectory, or regression as in (3.8).")] = "trajectory",
+    offset: Annotated[
+        bool, typer.Option("--offset", help="Fit the force at displacement 0 as well: a preload, an unknown touch.")
+    ] = False,
+    start: Annotated[str | None, typer.Option("--from", help='Time from which the jaw touches: "0.05 s".')] = None,
+    end: Annotated[str | None, typer.Option("--to", help="Time until which it does.")] = None,
+    out: Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")] = None,
+    plot: options.Plot = None,
+    as_json: options.Json = False,
+) -> None:
+    """Stiffness and damping of the axial joint from displacement and force of a press."""
+    if out:
+        check_writable(out, (".toml",), "--out")
+    if plot:
+        check_writable(plot, PICTURES, "--plot")
+    from plategait.identify.compression import identify_compression, read_pressing
+    from plategait.identify.recording import Window
+
+    result = identify_compression(
+        read_pressing(recording),
+        thickness=_THICKNESS.read(thickness, "--thickness"),
+        length=_LENGTH.read(length, "--length"),
+        method=method,  # type: ignore[arg-type]
+        offset=offset,
+        window=Window(
+            _TIME.read(start, "--from") if start is not None else -math.inf,
+            _TIME.read(end, "--to") if end is not None else math.inf,
+        ),
+    )
+    if out and result.parameters:
+        from plategait.fragment import write_fragment
+
+        write_fragment(result.to_fragment(), out)
+    if plot:
+        from plategait.identify.figures import plot_compression
+        from plategait.plots import save
+
+        save(plot_compression(result), plot)
+    report.print_json(result.summary()) if as_json else _print(result)
+    raise typer.Exit(0 if "sheet.axial_stiffness" in result.parameters else 1)
+
+
+def _print(result: CompressionResult) -> None:
+    rows = [
+        ["of the surface, k_s", words(known(result.surface_stiffness), factor=1e-3), "N/mm"],
+        ["of the surface, c_s", words(known(result.surface_damping), factor=1e-3), "N/(mm/s)"],
+        ["axial stiffness k_c (3.9)", words(known(result.stiffness), factor=1e-3), "N/mm"],
+        ["axial damping c_c (3.9)", words(known(result.damping), factor=1e-3), "N/(mm/s)"],
+        ["correlation of the two", f"{result.correlation:.2f}", ""],
+        ["missed of the force", f"{result.residual_rms:.3g}", "N rms"],
+    ]
+    if result.offset:
+        rows.append(["force at displacement 0", words(result.offset), "N"])
+    report.print_table(f"{result.method}, 95 % intervals", ["", "", ""], rows)
+    for note in result.notes:
+        print(note)

@@ -1,0 +1,73 @@
+"""The command that reads friction off recordings of a tilted plate."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from plategait.cli import options, report
+from plategait.identify.shown import words
+from plategait.output import check_writable
+
+if TYPE_CHECKING:
+    from plategait.identify.friction import FrictionResult
+
+PICTURES = (".png", ".pdf", ".svg")
+
+
+def friction(
+    tilts: Annotated[
+        list[Path],
+        typer.Argument(metavar="TILT.csv…", help="Columns time_s, angle_deg, position_mm; a file per trial."),
+    ],
+    out: Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")] = None,
+    plot: options.Plot = None,
+    as_json: options.Json = False,
+) -> None:
+    """Friction of an object on a plate that is slowly tilted: the angle at which it slips, and the slide after it."""
+    if out:
+        check_writable(out, (".toml",), "--out")
+    if plot:
+        check_writable(plot, PICTURES, "--plot")
+    from plategait.identify.friction import identify_friction
+    from plategait.identify.tilt import read_tilt
+
+    result = identify_friction([read_tilt(path) for path in tilts])
+    if out and result.static:
+        from plategait.fragment import write_fragment
+
+        write_fragment(result.to_fragment(), out)
+    if plot:
+        from plategait.identify.tilt_figures import plot_tilt
+        from plategait.plots import save
+
+        save(plot_tilt(result), plot)
+    if as_json:
+        report.print_json(result.summary())
+    else:
+        _print(result)
+    raise typer.Exit(0 if result.static else 1)
+
+
+def _print(result: FrictionResult) -> None:
+    columns = ["", "slip angle (deg)", "mu_s", "mu_k"]
+    rows = [
+        [t.name, words(t.slip_angle, ".2f", math.degrees(1)), words(t.static, ".4f"), words(t.kinetic, ".4f")]
+        for t in result.trials
+    ]
+    if len(rows) > 1:
+        mean = [
+            words(result.slip_angle, ".2f", math.degrees(1)),
+            words(result.static, ".4f"),
+            words(result.kinetic, ".4f"),
+        ]
+        rows.append(["mean of all", *mean])
+    report.print_table("friction, with 95 % intervals", columns, rows)
+    for trial in result.trials:
+        for note in trial.notes:
+            print(f"{trial.name}: {note}")
+    for note in result.notes:
+        print(note)

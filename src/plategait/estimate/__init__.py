@@ -1,0 +1,1 @@
+"""Spin curves become material parameters, with intervals (chapter 5)."""

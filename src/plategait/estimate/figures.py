@@ -1,0 +1,91 @@
+"""Pictures of an estimate: the predictive curve over the data, and the parameters that the data allow."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from plategait.estimate.parameters import Array
+from plategait.estimate.prediction import Prediction
+from plategait.estimate.result import Estimate
+from plategait.plots import BLUE, GREY, ORANGE, RED, label_axes
+
+NAMES = {
+    "natural_frequency": "$\\omega_n$ (π rad/s)", "friction_angle": "$\\alpha$ (deg)",
+    "friction_ratio": "$\\beta$ = $\\mu_k/\\mu_s$", "mass": "mass over that told",
+    "bending_damping": "$c_b$ over that told", "contact_damping": "contact damping over that told",
+}  # fmt: skip
+
+
+def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figure:
+    """Predicted spin curves over the data, one panel an amplitude, and below them the posterior of each parameter."""
+    d = len(estimate.findings)
+    columns = max(len(predictions), d, 2)
+    figure = Figure(figsize=(3.3 * columns, 6.6), layout="constrained")
+    grid = figure.add_gridspec(2, columns, height_ratios=[1.25, 1])
+    share = columns // len(predictions)
+    for i, prediction in enumerate(predictions):
+        _draw_curve(figure.add_subplot(grid[0, i * share : (i + 1) * share if i + 1 < len(predictions) else columns]),
+                    estimate, prediction)  # fmt: skip
+    values = estimate.posterior.values
+    for i in range(d):
+        _draw_parameter(figure.add_subplot(grid[1, i]), estimate, i, values)
+    if not estimate.check.explained:
+        figure.suptitle(
+            "not explained: " + "; ".join(estimate.check.complaints), color=RED, fontsize=9, x=0.01, ha="left"
+        )
+    return figure
+
+
+def _draw_curve(axes: Any, estimate: Estimate, prediction: Prediction) -> None:
+    f, rates = prediction.frequency, prediction.rates
+    with np.errstate(all="ignore"):
+        stays = (~prediction.failed).mean(axis=0) >= 0.5
+        low, middle, high = (_quantile(rates, q) for q in (0.05, 0.5, 0.95))
+    axes.fill_between(f[stays], low[stays], high[stays], color=BLUE, alpha=0.2, lw=0, label="90 % of predictions")
+    axes.plot(f[stays], middle[stays], color=BLUE, lw=1.4, label="median prediction")
+    runs_off = ~stays & (f > f[stays].max(initial=0.0))
+    if runs_off.any():
+        axes.axvspan(f[runs_off].min(), f.max(), color=GREY, alpha=0.12, lw=0, label="predicted to run off")
+    data = estimate.posterior.data
+    mine = np.array([data.conditions[i].amplitude == prediction.amplitude for i in data.which])
+    outlier = np.isin(data.frequency, estimate.check.outliers) & data.rated
+    for chosen, colour, label in ((~outlier, "black", "measured"), (outlier, ORANGE, "probably an outlier")):
+        here = mine & data.rated & chosen
+        if here.any():
+            bars = np.where(np.isfinite(data.sd), data.sd, 0.0)[here]
+            axes.errorbar(data.frequency[here], data.rate[here], bars, fmt="o", mfc="white", mec=colour, ecolor=colour,
+                          ms=5.5, mew=1.3, label=label)  # fmt: skip
+    gone = mine & data.failed
+    if gone.any():
+        axes.plot(data.frequency[gone], np.zeros(gone.sum()), "x", color=RED, ms=7, mew=1.5, clip_on=False,
+                  label="ran off")  # fmt: skip
+    axes.set_title(f"$A_p$ = {math.degrees(prediction.amplitude[0]):.3g} deg", loc="left", fontsize=10)
+    axes.set_ylim(bottom=0)
+    axes.legend(frameon=False, fontsize=8, loc="upper left")
+    label_axes(axes, "plate frequency $f_p$ (Hz)", "spin rate $\\omega_B$ (deg/s)")
+
+
+def _quantile(rates: Array, q: float) -> Array:
+    """Quantile of the runs that stayed, column by column; NaN where none did."""
+    return np.array([np.quantile(c[np.isfinite(c)], q) if np.isfinite(c).any() else math.nan for c in rates.T])
+
+
+def _draw_parameter(axes: Any, estimate: Estimate, i: int, values: Array) -> None:
+    finding = estimate.findings[i]
+    p = finding.parameter
+    x = values[:, i] / p.scale
+    low, high = np.quantile(x, [0.001, 0.999])
+    bins = np.linspace(low, high, 40)
+    axes.hist(x, bins=bins, color=BLUE if finding.verdict == "determined" else GREY, alpha=0.75, density=True)
+    if finding.verdict == "determined":
+        for end in (finding.low, finding.high):
+            axes.axvline(end / p.scale, color="black", lw=0.9, ls=":")
+    axes.set_title(finding.text, loc="left", fontsize=9)
+    axes.set_yticks([])
+    label_axes(axes, NAMES[p.name], "")
+    axes.spines["left"].set_visible(False)

@@ -1,0 +1,111 @@
+"""How probable the measured points are, given parameters: rates, run-offs, noise and the odd outlier."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
+from plategait.estimate.observations import Observations
+from plategait.estimate.parameters import Array, Parameter
+from plategait.estimate.trials import Trials
+
+NOISE = Parameter("noise", 0.005, 0.3, True, "%", 0.01)
+"""Relative standard deviation of the rates, an unknown of its own where the data do not come with theirs."""
+LEAST_NOISE = 1.0  # deg/s, of a relative noise: no camera sees a rate better
+OUTLIER_SHARE = 0.02
+OUTLIER_SPREAD = 10.0  # times a point's own noise
+# A run-off that no emulator foresaw: an island of stability, the plate knocked, the object cut unevenly.
+SURPRISE = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class Likelihood:
+    """Emulators of the rates and run-offs that were measured, with the data beside them.
+
+    Attributes
+    ----------
+    data : Observations
+    rates : RateEmulator
+        Of every condition.
+    run_offs : dict
+        Emulator by amplitude, None where the runs did not bracket the run-off.
+    noise : float or None
+        Relative noise where it is known and the data do not come with their own; None: the last parameter.
+    """
+
+    data: Observations
+    rates: RateEmulator
+    run_offs: dict[tuple[float, float], RunOffEmulator | None]
+    noise: float | None
+
+    @property
+    def noise_is_unknown(self) -> bool:
+        """Whether the noise is sampled with the parameters."""
+        return self.noise is None and bool(np.isnan(self.data.sd[self.data.rated]).any())
+
+    def split(self, u: Array) -> tuple[Array, Array]:
+        """Parameters (n, d), and the relative noise (n,) of each sample."""
+        if self.noise_is_unknown:
+            return u[:, :-1], np.asarray(NOISE.value(u[:, -1]))
+        return u, np.full(len(u), 0.0 if self.noise is None else self.noise)
+
+    def predicted(self, parameters: Array) -> Array:
+        """Rates (n, points) at the rated points, deg/s."""
+        return self.rates(parameters)[:, self.data.which[self.data.rated]]
+
+    def spread(self, predicted: Array, noise: Array) -> Array:
+        """Standard deviation (n, points) of the rated points about the prediction: measurement, chaos, emulator."""
+        own = self.data.sd[self.data.rated]
+        relative = np.hypot(noise[:, None] * predicted, LEAST_NOISE)
+        measured = np.where(np.isfinite(own), own, relative)
+        return np.hypot(measured, self._error)
+
+    @property
+    def _error(self) -> Array:
+        return self.rates.error[self.data.which[self.data.rated]]
+
+    def point_terms(self, u: Array) -> tuple[Array, Array]:
+        """Log densities (n, points) of the rated points as sound ones, and as outliers; shares taken in."""
+        parameters, noise = self.split(u)
+        predicted = self.predicted(parameters)
+        sd = self.spread(predicted, noise)
+        deviation = self.data.rate[self.data.rated] - predicted
+
+        def log_normal(spread: Array) -> Array:
+            return -0.5 * (deviation / spread) ** 2 - np.log(spread) - 0.5 * math.log(math.tau)
+
+        known = np.isfinite(self._error)
+        with np.errstate(invalid="ignore"):
+            sound = np.where(known, log_normal(sd), 0.0) + math.log1p(-OUTLIER_SHARE)
+            odd = np.where(known, log_normal(OUTLIER_SPREAD * sd), -math.inf) + math.log(OUTLIER_SHARE)
+        return sound, odd
+
+    def run_off_terms(self, u: Array) -> Array:
+        """Log probability (n, amplitudes) that the object begins to run off where it did."""
+        parameters, _ = self.split(u)
+        terms = []
+        for amplitude, (low, high) in self.data.brackets().items():
+            emulator = self.run_offs.get(amplitude)
+            if emulator is None or (low == 0 and math.isinf(high)):
+                terms.append(np.zeros(len(u)))
+            else:
+                terms.append(np.logaddexp(emulator.log_between(parameters, low, high), math.log(SURPRISE)))
+        return np.stack(terms, axis=1)
+
+    def __call__(self, u: Array) -> Array:
+        """Log likelihood (n,) of samples (n, d or d + 1) of the unit cube."""
+        sound, odd = self.point_terms(u)
+        return np.logaddexp(sound, odd).sum(axis=1) + self.run_off_terms(u).sum(axis=1)
+
+
+def learn(data: Observations, trials: Trials, near: NDArray[np.bool_], noise: float | None) -> Likelihood:
+    """Likelihood from the engine's runs; those `near` (n,) what was measured count most."""
+    run_offs = {}
+    for amplitude in data.brackets():
+        low, high = trials.brackets(amplitude)
+        run_offs[amplitude] = fit_run_off(trials.u, low, high, near)
+    return Likelihood(data, fit_rates(trials.u, trials.rates, near), run_offs, noise)

@@ -1,0 +1,179 @@
+"""The source's estimator: natural frequency from the peak, friction angle from the sharpness, (5.6) and (5.7)."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any, Literal
+
+import numpy as np
+
+from plategait.errors import InputError
+from plategait.fragment import Fragment, Measured
+from plategait.lorentz import LorentzFit
+from plategait.scenario import Scenario
+from plategait.simulation import plain
+
+Coefficients = Literal["published", "refitted"]
+Method = Literal["linear", "quadratic"]
+# The objects it was made from: 40 mm in radius, B_p = 3 mm; told apart no finer than this.
+RADIUS, STROKE, SLACK = 0.04, 0.003, 0.02
+
+
+@dataclass(frozen=True)
+class Line:
+    """One calibrated polynomial of a fit's number, lowest power first, its residual spread and where it holds.
+
+    ω_n in π rad/s over f0 (5.6), or α in deg over b/f0 (5.7).
+    """
+
+    powers: tuple[float, ...]
+    sd: float
+    low: float
+    high: float
+
+    def __call__(self, x: float) -> float:
+        """Value at `x`."""
+        return float(np.polynomial.polynomial.polyval(x, self.powers))
+
+    def slope(self, x: float) -> float:
+        """Slope at `x`."""
+        return float(np.polynomial.polynomial.polyval(x, np.polynomial.polynomial.polyder(self.powers)))
+
+    def spread(self, x: float, x_sd: float) -> float:
+        """Standard deviation of the value: of the calibration, and of the fit behind `x`."""
+        return math.hypot(self.sd, self.slope(x) * x_sd)
+
+
+@dataclass(frozen=True)
+class LinearEstimate:
+    """ω_n (rad/s) and α (rad) by (5.6) and (5.7), each with a standard deviation.
+
+    Attributes
+    ----------
+    refused : tuple of str
+        Why it must not be used: outside what the method was made from. Empty where it may.
+    """
+
+    natural_frequency: float
+    natural_frequency_sd: float
+    friction_angle: float
+    friction_angle_sd: float
+    method: str
+    coefficients: str
+    refused: tuple[str, ...]
+
+    def summary(self) -> dict[str, Any]:
+        """Plain numbers for `--json`; None where refused."""
+        scales = {"natural_frequency": (math.pi, "π rad/s"), "friction_angle": (math.radians(1), "deg")}
+        numbers = {
+            name: {
+                "unit": unit,
+                "median": None if self.refused else plain(getattr(self, name) / scale),
+                "sd": None if self.refused else plain(getattr(self, f"{name}_sd") / scale),
+            }
+            for name, (scale, unit) in scales.items()
+        }
+        return {"method": self.method, "coefficients": self.coefficients, "parameters": numbers,
+                "refused": list(self.refused)}  # fmt: skip
+
+    def to_fragment(self, scenario: Scenario) -> Fragment:
+        """Scenario fragment for the object of a scenario, with 95 % intervals."""
+        if self.refused:
+            raise InputError("--out", "nothing that may be used", "a curve within the method's domain",
+                             "--method posterior")  # fmt: skip
+        sheet = scenario.sheet.with_natural_frequency(self.natural_frequency)
+        k, k_sd = (
+            sheet.bending_stiffness,
+            2 * sheet.bending_stiffness * self.natural_frequency_sd / self.natural_frequency,
+        )
+        mu, mu_sd = math.tan(self.friction_angle), self.friction_angle_sd / math.cos(self.friction_angle) ** 2
+        return Fragment(
+            {
+                name: Measured(value, sd, value - 1.96 * sd, value + 1.96 * sd)
+                for name, value, sd in (("sheet.bending_stiffness", k, k_sd), ("friction.static", mu, mu_sd))
+            },
+            source=f"plategait estimate --method {self.method}, {self.coefficients} coefficients",
+        )
+
+
+@cache
+def calibrations() -> Mapping[str, Any]:
+    """Coefficients as shipped: published ones, and those that `plategait.estimate.training` refits."""
+    text = files("plategait.estimate").joinpath("data/coefficients.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+def line(method: Method, coefficients: Coefficients, angle_deg: int, of: Literal["omega", "alpha"]) -> Line:
+    """Calibrated line of one amplitude."""
+    entry = calibrations()[coefficients][method][f"{angle_deg}deg"][of]
+    return Line(tuple(entry["powers"]), entry["sd"], entry["low"], entry["high"])
+
+
+def estimate_linear(
+    fit: LorentzFit,
+    scenario: Scenario,
+    *,
+    method: Method = "linear",
+    coefficients: Coefficients = "published",
+) -> LinearEstimate:
+    """Estimate ω_n and α from a Lorentz fit by (5.6) and (5.7).
+
+    Parameters
+    ----------
+    fit : LorentzFit
+        Of a measured spin curve.
+    scenario : Scenario
+        Tells the plate's amplitudes and the object's size, which must be those of the calibration.
+    method : {"linear", "quadratic"}
+        "quadratic" as section 5.6.2 suggests; with refitted coefficients only.
+    coefficients : {"published", "refitted"}
+        Those of section 5.6.1, or of this package's own simulations.
+
+    Raises
+    ------
+    InputError
+        For an amplitude, stroke or size that the method knows nothing of, or an unknown method.
+    """
+    if method not in ("linear", "quadratic"):
+        raise InputError("--method", method, "posterior, linear or quadratic", "posterior")
+    if coefficients not in ("published", "refitted"):
+        raise InputError("--coefficients", coefficients, "published or refitted", "refitted")
+    if method == "quadratic":
+        coefficients = "refitted"
+    motion, outline = scenario.motion, scenario.sheet.outline
+    angle = next((a for a in (3, 12) if abs(math.degrees(motion.angle) / a - 1) < SLACK), None)
+    if angle is None:
+        raise InputError("--angle", f"{math.degrees(motion.angle):.3g} deg",
+                         f"3 deg or 12 deg for --method {method}", '"3 deg", or --method posterior')  # fmt: skip
+    if abs(motion.stroke / STROKE - 1) > SLACK:
+        raise InputError("--stroke", f"{1e3 * motion.stroke:.3g} mm", f"3 mm for --method {method}",
+                         '"3 mm", or --method posterior')  # fmt: skip
+    if abs(getattr(outline, "radius", 0.0) / RADIUS - 1) > SLACK:
+        raise InputError("--radius", str(outline), f"a disk of 40 mm for --method {method}",
+                         '"40 mm", or --method posterior')  # fmt: skip
+    omega_line, alpha_line = (line(method, coefficients, angle, of) for of in ("omega", "alpha"))
+    f0_sd, b_sd = (_sd(fit.f0_interval), _sd(fit.half_width_interval))
+    ratio = fit.half_width_hz / fit.f0_hz
+    ratio_sd = ratio * math.hypot(b_sd / fit.half_width_hz, f0_sd / fit.f0_hz)
+    omega, alpha = omega_line(fit.f0_hz), alpha_line(ratio)
+    refused = tuple(
+        f"{name} would be {value:.3g} {unit}, and at A_p = {angle} deg the method holds from {known.low:g} to "
+        f"{known.high:g} {unit}"
+        for name, value, unit, known in (("ω_n", omega, "π rad/s", omega_line), ("α", alpha, "deg", alpha_line))
+        if not known.low <= value <= known.high
+    )
+    return LinearEstimate(
+        natural_frequency=omega * math.pi, natural_frequency_sd=omega_line.spread(fit.f0_hz, f0_sd) * math.pi,
+        friction_angle=math.radians(alpha), friction_angle_sd=math.radians(alpha_line.spread(ratio, ratio_sd)),
+        method=method, coefficients=coefficients, refused=refused,
+    )  # fmt: skip
+
+
+def _sd(interval: tuple[float, float]) -> float:
+    """Standard deviation behind a 95 % interval."""
+    return (interval[1] - interval[0]) / (2 * 1.96)

@@ -1,0 +1,59 @@
+"""What the estimated object would do at plate frequencies that were not measured, with its uncertainty."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from plategait.estimate.observations import Condition
+from plategait.estimate.parameters import Array
+from plategait.estimate.posterior import Posterior
+from plategait.estimate.trials import run_trials
+
+DRAWS = 24
+POINTS = 25
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """Predicted spin curves of one amplitude, by the engine at draws of the posterior.
+
+    Attributes
+    ----------
+    amplitude : (angle, stroke)
+        rad and m.
+    frequency : (c,) array
+        Hz.
+    rates : (n, c) array
+        deg/s; NaN where a draw runs off.
+    failed : (n, c) bool array
+    """
+
+    amplitude: tuple[float, float]
+    frequency: Array
+    rates: Array
+    failed: np.ndarray
+
+
+def predict(
+    posterior: Posterior, *, seed: int = 0, progress: Callable[[float], object] | None = None
+) -> list[Prediction]:
+    """Run the engine at draws of the posterior over a little more than the measured range, for each amplitude."""
+    generator = np.random.default_rng(seed)
+    u = posterior.u[generator.choice(len(posterior.u), DRAWS, replace=False)]
+    predictions = []
+    amplitudes = list(dict.fromkeys(c.amplitude for c in posterior.data.conditions))
+    for i, amplitude in enumerate(amplitudes):
+        f = [c.frequency for c in posterior.data.conditions if c.amplitude == amplitude]
+        grid = np.linspace(0.95 * min(f), 1.05 * max(f), POINTS)
+        conditions = [Condition(*amplitude, float(g)) for g in grid]
+
+        def report(done: float, i: int = i) -> None:
+            if progress is not None:
+                progress((i + done) / len(amplitudes))
+
+        trials = run_trials(posterior.unknowns, u, conditions, seed=seed, progress=report)
+        predictions.append(Prediction(amplitude, grid, trials.rates, trials.failed))
+    return predictions

@@ -1,0 +1,107 @@
+"""The identify and estimate commands, as a user types them."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+COMMAND = str(Path(sys.executable).with_name("plategait"))
+CURVE = "\n".join(["frequency_hz,spin_rate_deg_s,failure", "13,52,", "14.5,66,", "16,88,", "17.5,160,", "20,350,",
+                   "22,470,", "25,520,", "26.5,,slipped"])  # fmt: skip
+UNITS = "time_s,phi1_N,phi2_deg,displacement_deg,force_N,angle_mm,position_mm,deflection_kg\n0,1,1,1,1,1,1,1\n"
+
+
+def plategait(*arguments: str, cwd: Path, check: int | None = None) -> subprocess.CompletedProcess[str]:
+    done = subprocess.run([COMMAND, *arguments], cwd=cwd, capture_output=True, text=True, timeout=120, check=False)
+    assert "Traceback" not in done.stderr
+    if check is not None:
+        assert done.returncode == check, done.stderr + done.stdout
+    return done
+
+
+@pytest.mark.parametrize(
+    ("kind", "field", "value", "within"),
+    [
+        # The examples are made from Table 4.1 with a bench's noise: what one of them gives back is a few percent off.
+        ("bending", "sheet.bending_stiffness", 2.72e-3, 0.08),
+        ("compression", "sheet.axial_stiffness", 0.79, 0.03),
+        ("friction", "friction.static", 0.75, 0.005),
+        ("modes", "sheet.bending_stiffness", 2.55e-3, 0.01),
+    ],
+)
+def test_an_example_becomes_a_fragment_that_simulates(tmp_path, kind, field, value, within):
+    plategait("identify", "example", kind, "r.csv", cwd=tmp_path, check=0)
+    done = plategait("identify", kind, "r.csv", "--out", "f.toml", "--plot", "p.png", cwd=tmp_path, check=0)
+    assert done.stderr == ""
+    assert (tmp_path / "p.png").stat().st_size > 10_000
+    data = tomllib.loads((tmp_path / "f.toml").read_text())
+    section, _, name = field.partition(".")
+    found = data[section][name]
+    assert (float(str(found).split()[0])) == pytest.approx(value, rel=within)
+    assert field in data["uncertainty"]["sd"]
+    plategait("simulate", "cheese", "--with", "f.toml", "--duration", "0.2 s", cwd=tmp_path, check=0)
+
+
+@pytest.mark.parametrize("kind", ["bending", "compression", "friction", "modes"])
+@pytest.mark.parametrize("text", ["", "a,b\n1,2\n", UNITS], ids=["empty", "other columns", "other units"])
+def test_what_is_no_recording_is_one_line(tmp_path, kind, text):
+    (tmp_path / "r.csv").write_text(text)
+    done = plategait("identify", kind, "r.csv", "--out", "f.toml", cwd=tmp_path, check=2)
+    assert len(done.stderr.splitlines()) == 1
+    assert not (tmp_path / "f.toml").exists()
+
+
+def test_estimate_gives_numbers_a_fragment_and_a_picture(tmp_path):
+    (tmp_path / "c.csv").write_text(CURVE)
+    files = ("--out", "e.toml", "--plot", "e.png")
+    done = plategait("estimate", "c.csv", "--noise", "5%", "--beta", "0.53", "--json", *files, cwd=tmp_path, check=0)
+    numbers = json.loads(done.stdout)
+    angle = numbers["parameters"]["friction_angle"]
+    assert angle["verdict"] == "determined"
+    assert angle["low"] < angle["median"] < angle["high"]
+    assert (tmp_path / "e.png").stat().st_size > 10_000
+    assert 0.3 < tomllib.loads((tmp_path / "e.toml").read_text())["friction"]["static"] < math.tan(math.radians(57))
+    plategait("simulate", "cheese", "--with", "e.toml", "--duration", "0.2 s", cwd=tmp_path, check=0)
+
+
+def test_the_linear_method_and_its_refusal(tmp_path):
+    lines = [f"{f},{520 / (1 + ((f - 25) / 5.2) ** 2):.2f}" for f in range(14, 29)]
+    (tmp_path / "c.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *lines]))
+    done = plategait("estimate", "c.csv", "--method", "linear", "--json", cwd=tmp_path, check=0)
+    numbers = json.loads(done.stdout)["parameters"]
+    # (5.6) and (5.7) at f0 = 25 Hz and b/f0 = 0.208, which the exact Lorentzian gives back to its printed digits.
+    assert numbers["natural_frequency"]["median"] == pytest.approx(5.30 * 25 - 121.62, abs=0.05)
+    assert numbers["friction_angle"]["median"] == pytest.approx(545.02 * 0.208 - 74.71, abs=0.3)
+    narrow = [f"{f},{520 / (1 + ((f - 25) / 3.0) ** 2):.2f}" for f in range(14, 29)]
+    (tmp_path / "n.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *narrow]))
+    done = plategait("estimate", "n.csv", "--method", "linear", cwd=tmp_path, check=1)
+    assert "24 to 57 deg" in done.stdout
+    rising = [f"{f},{10 * f}" for f in range(14, 24)]
+    (tmp_path / "r.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *rising]))
+    done = plategait("estimate", "r.csv", "--method", "linear", cwd=tmp_path, check=2)
+    assert "--method posterior" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "named"),
+    [
+        (("c.csv", "--noise", "0"), "--noise"), (("c.csv", "--beta", "2"), "friction_ratio"),
+        (("c.csv", "--free", "colour"), "--free"), (("c.csv", "--angle", "3 deg", "--angle", "12 deg"), "--angle"),
+        (("none.csv",), "none.csv"), (("one.csv",), "at least 3"), (("c.csv", "--method", "magic"), "--method"),
+        (("c.csv", "--confidence", "2"), "confidence"), (("c.csv", "--out", "e.txt"), "--out"),
+        (("nan.csv",), "line 3"),
+    ],
+)  # fmt: skip
+def test_bad_estimates_are_one_line(tmp_path, arguments, named):
+    (tmp_path / "c.csv").write_text(CURVE)
+    (tmp_path / "one.csv").write_text("frequency_hz,spin_rate_deg_s\n13,52\n")
+    (tmp_path / "nan.csv").write_text("frequency_hz,spin_rate_deg_s\n13,52\n14,nan\n15,60\n")
+    done = plategait("estimate", *arguments, cwd=tmp_path, check=2)
+    assert named in done.stderr
+    assert len(done.stderr.splitlines()) == 1

@@ -1,0 +1,252 @@
+"""The estimator's parts, each against what is known without it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.stats import norm
+
+from plategait.curve import Curve
+from plategait.errors import InputError
+from plategait.estimate import parameters
+from plategait.estimate.emulator import brackets, fit_rates, fit_run_off, log_between
+from plategait.estimate.judgement import judge
+from plategait.estimate.linear import estimate_linear, line
+from plategait.estimate.observations import Condition, observe_curves
+from plategait.estimate.parameters import FRICTION_ANGLE, NATURAL_FREQUENCY, first_natural_frequency, unknowns
+from plategait.estimate.result import measured_as
+from plategait.lorentz import LorentzFit
+from plategait.outline import Rectangle
+from plategait.presets import preset
+
+CHEESE = measured_as(preset("cheese").scenario)
+MOTION = CHEESE.motion
+
+
+def curve(frequency, rate, failure=None, sd=None, angle=None) -> Curve:
+    n = len(frequency)
+    return Curve("c", np.array(frequency, float), np.array(rate, float),
+                 np.full(n, math.nan) if sd is None else np.array(sd, float), ("",) * n,
+                 tuple(failure or ("",) * n), angle_deg=None if angle is None else np.array(angle, float))  # fmt: skip
+
+
+# Parameters
+
+
+@given(st.floats(0, 1), st.sampled_from([*parameters.ALWAYS, *parameters.ON_REQUEST]))
+def test_share_is_the_inverse_of_value(u, parameter):
+    assert parameter.share(float(parameter.value(u))) == pytest.approx(u, abs=1e-12)
+    assert parameter.low * (1 - 1e-12) <= parameter.value(u) <= parameter.high * (1 + 1e-12)
+
+
+def test_the_scenario_has_the_values_asked_for():
+    chosen = unknowns(CHEESE, free=("mass", "bending_damping", "contact_damping"))
+    made = chosen.scenario([20 * math.pi, math.radians(40), 0.7, 1.1, 2.0, 0.5])
+    assert made.sheet.natural_frequency == pytest.approx(20 * math.pi, rel=1e-9)
+    assert made.sheet.mass == pytest.approx(1.1 * CHEESE.sheet.mass)
+    assert made.friction.angle == pytest.approx(math.radians(40))
+    assert made.friction.ratio == pytest.approx(0.7)
+    assert made.sheet.bending_damping == pytest.approx(2 * CHEESE.sheet.bending_damping)
+    assert made.contact.damping == pytest.approx(0.5 * CHEESE.contact.damping)
+
+
+def test_a_known_ratio_is_no_unknown_and_holds():
+    chosen = unknowns(CHEESE, friction_ratio=0.8)
+    assert chosen.names == ["natural_frequency", "friction_angle"]
+    assert chosen.scenario([30.0, 0.6]).friction.ratio == pytest.approx(0.8)
+
+
+def test_a_sheet_without_a_dish_mode_counts_its_lowest():
+    strip = CHEESE.sheet.replace(outline=Rectangle(length="80 mm", width="10 mm"))
+    omega = first_natural_frequency(strip)
+    assert omega > 0
+    assert first_natural_frequency(parameters.scaled_to(strip, 2 * omega)) == pytest.approx(2 * omega, rel=1e-9)
+
+
+@pytest.mark.parametrize("bad", [{"free": ("colour",)}, {"friction_ratio": 0.0}, {"friction_ratio": 1.2}])
+def test_unknown_unknowns_are_refused(bad):
+    with pytest.raises(InputError):
+        unknowns(CHEESE, **bad)
+
+
+# Observations
+
+
+def test_points_beyond_the_first_failure_say_nothing():
+    data = observe_curves([curve([14, 18, 22, 26, 27, 28], [70, 200, 450, math.nan, 480, math.nan],
+                                 ["", "", "", "slipped", "", "folded"])], [MOTION])  # fmt: skip
+    assert data.frequency.tolist() == [14, 18, 22, 26]
+    assert data.failed.tolist() == [False, False, False, True]
+    assert "27" in data.notes[0]
+    assert list(data.brackets().values()) == [(22, 26)]
+
+
+def test_a_frequency_at_which_both_happened_is_the_run_off_itself():
+    data = observe_curves([curve([14, 18, 22, 22], [70, 200, 450, math.nan], ["", "", "", "slipped"])], [MOTION])
+    ((low, high),) = data.brackets().values()
+    assert low < 22 < high
+    assert high - low == pytest.approx(0.1)
+
+
+def test_repeated_points_are_all_kept_and_share_a_condition():
+    data = observe_curves([curve([14, 14, 18, 22], [70, 72, 200, 450])], [MOTION])
+    assert len(data.conditions) == 3
+    assert data.which.tolist().count(0) == 2
+
+
+def test_an_object_that_spins_the_other_way_counts_positive():
+    data = observe_curves([curve([14, 18, 22], [-70, -200, -450])], [MOTION])
+    assert data.rate.tolist() == [70, 200, 450]
+
+
+def test_amplitudes_may_stand_in_the_file_or_come_with_each_curve():
+    both = observe_curves([curve([14, 18, 12], [70, 200, 150], angle=[3, 3, 12])], [MOTION])
+    apart = observe_curves([curve([14, 18], [70, 200]), curve([12], [150])],
+                           [MOTION, MOTION.replace(angle="12 deg")])  # fmt: skip
+    assert [c.frequency for c in both.conditions] == [c.frequency for c in apart.conditions] == [14, 18, 12]
+    assert len(both.brackets()) == 2
+
+
+@pytest.mark.parametrize("rates", [[70, 200, math.nan], [math.nan] * 3])
+def test_too_few_rates_are_refused(rates):
+    with pytest.raises(InputError, match="at least 3"):
+        observe_curves([curve([14, 18, 22], rates)], [MOTION])
+
+
+def test_too_many_frequencies_are_refused():
+    f = np.linspace(10, 30, 5000)
+    with pytest.raises(InputError, match="averaging"):
+        observe_curves([curve(f, f)], [MOTION])
+
+
+# Emulators
+
+
+def test_rates_that_are_quadratic_are_learnt_exactly():
+    u = np.random.default_rng(0).random((40, 3))
+    rates = np.stack([1 + u @ [1, 2, 3], (u @ [1, -1, 2]) ** 2], axis=1)
+    emulator = fit_rates(u, rates, np.ones(40, bool))
+    # A quadratic trend is part of the spline: only rounding and the smoothing of 1e-3 are left.
+    at = np.random.default_rng(1).random((50, 3))
+    expected = np.stack([1 + at @ [1, 2, 3], (at @ [1, -1, 2]) ** 2], axis=1)
+    assert np.abs(emulator(at) - expected).max() < 1e-6
+    assert emulator.error.max() < 1e-6
+
+
+def test_a_condition_at_which_too_few_runs_stayed_is_not_learnt():
+    u = np.random.default_rng(0).random((40, 3))
+    rates = np.stack([u[:, 0], np.where(np.arange(40) < 5, 1.0, math.nan)], axis=1)
+    emulator = fit_rates(u, rates, np.ones(40, bool))
+    assert np.isfinite(emulator.error[0])
+    assert np.isinf(emulator.error[1])
+
+
+def test_left_out_errors_are_those_of_new_points():
+    """Rates with a scatter of 2: the error says so, within what 60 runs know of it (10 %) and the spline adds."""
+    generator = np.random.default_rng(0)
+    u = generator.random((80, 2))
+    emulator = fit_rates(u, (np.sin(3 * u[:, :1]) * 10) + generator.normal(0, 2, (80, 1)), np.ones(80, bool))
+    fresh = generator.random((400, 2))
+    new = np.sqrt(np.mean((emulator(fresh)[:, 0] - np.sin(3 * fresh[:, 0]) * 10 - generator.normal(0, 2, 400)) ** 2))
+    assert emulator.error[0] == pytest.approx(new, rel=0.35)
+
+
+def test_a_run_off_is_learnt_from_brackets():
+    u = np.random.default_rng(0).random((60, 2))
+    truth = 24 + 3 * u[:, 0] + u[:, 1] ** 2
+    grid = np.arange(20, 31, 0.5)
+    low, high = brackets(grid[None, :] > truth[:, None], grid)
+    assert ((low < truth) & (truth < high)).all()
+    emulator = fit_run_off(u, low, high, np.ones(60, bool))
+    assert emulator is not None
+    # Brackets half a hertz wide, sixty of them for ten coefficients: within a fifth of their width on average.
+    assert np.mean(np.abs(emulator(u) - truth)) < 0.1
+
+
+def test_runs_that_never_fail_teach_no_run_off():
+    u = np.random.default_rng(0).random((30, 2))
+    assert fit_run_off(u, np.full(30, 25.0), np.full(30, math.inf), np.ones(30, bool)) is None
+
+
+@given(st.floats(20, 30), st.floats(0.03, 2), st.floats(15, 30), st.floats(0.01, 5))
+def test_probability_of_a_bracket(centre, width, low, span):
+    found = math.exp(log_between(np.array([centre]), width, np.array([low]), np.array([low + span]))[0])
+    # A difference of two probabilities keeps 1e-12 of them in scipy too.
+    expected = norm.cdf(low + span, centre, width) - norm.cdf(low, centre, width)
+    assert found == pytest.approx(expected, rel=1e-6, abs=1e-12)
+
+
+def test_probabilities_of_all_brackets_add_up_to_one():
+    ends = np.array([0.0, 20.0, 24.0, 25.0, 26.0, math.inf])
+    p = np.exp(log_between(np.full(5, 24.7), 0.3, ends[:-1], ends[1:]))
+    assert p.sum() == pytest.approx(1, abs=1e-9)
+
+
+# Judgement
+
+
+def test_the_gate():
+    generator = np.random.default_rng(0)
+    assert judge(NATURAL_FREQUENCY, generator.random(4000)).verdict == "not determined"
+    narrow = judge(FRICTION_ANGLE, generator.normal(0.5, 0.02, 4000))
+    assert narrow.verdict == "determined"
+    assert narrow.low < math.radians(40) < narrow.high
+    assert judge(NATURAL_FREQUENCY, generator.random(4000) * 0.2).verdict == "at most"
+    assert judge(NATURAL_FREQUENCY, 1 - generator.random(4000) * 0.2).verdict == "at least"
+    assert "at most" in judge(NATURAL_FREQUENCY, generator.random(4000) * 0.2).text
+
+
+# Linear
+
+
+def fit_of(f0: float, ratio: float) -> LorentzFit:
+    near = (0.999, 1.001)
+    return LorentzFit(500.0, f0, ratio * f0, 0.99, 12, 0.95, (499.0, 501.0), (f0 * near[0], f0 * near[1]),
+                      (ratio * f0 * near[0], ratio * f0 * near[1]), "profile likelihood", "residual")  # fmt: skip
+
+
+def test_published_tables_are_reproduced():
+    """Table 5.2: f0 and b/f0 of the 10π, 36.87 deg object give 11.20π and 35.52 deg back."""
+    found = estimate_linear(fit_of(25.06, 0.2022), CHEESE)
+    assert found.natural_frequency / math.pi == pytest.approx(11.20, abs=0.01)
+    assert math.degrees(found.friction_angle) == pytest.approx(35.52, abs=0.06)  # b/f0 is known to four digits
+    assert not found.refused
+
+
+@pytest.mark.parametrize(
+    ("angle", "f0", "ratio", "named"),
+    [("3 deg", 25.0, 0.15, "α"), ("3 deg", 25.0, 0.27, "α"), ("12 deg", 13.9, 0.22, "ω_n"), ("12 deg", 12.5, 0.27, "α"),
+     ("3 deg", 21.0, 0.2, "ω_n")],
+)  # fmt: skip
+def test_outside_its_domain_it_refuses(angle, f0, ratio, named):
+    found = estimate_linear(fit_of(f0, ratio), CHEESE.replace(**{"motion.angle": angle}))
+    assert named in " ".join(found.refused)
+    assert found.summary()["parameters"]["friction_angle"]["median"] is None
+    with pytest.raises(InputError):
+        found.to_fragment(CHEESE)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"motion.angle": "6 deg"}, {"motion.stroke": "2 mm"}, {"sheet.outline": {"shape": "disk", "radius": "50 mm"}}],
+)
+def test_a_plate_or_object_that_it_was_not_made_for_is_refused(change):
+    with pytest.raises(InputError, match="posterior"):
+        estimate_linear(fit_of(25.0, 0.2), CHEESE.replace(**change))
+
+
+def test_shipped_coefficients_are_whole():
+    for angle in (3, 12):
+        for of in ("omega", "alpha"):
+            assert line("linear", "published", angle, of).powers
+            assert len(line("quadratic", "refitted", angle, of).powers) == 3
+            # The refitted lines rise as the published ones do.
+            assert line("linear", "refitted", angle, of).powers[1] > 0
+
+
+def test_conditions_sort_by_amplitude_then_frequency():
+    assert Condition(0.05, 0.003, 30.0) < Condition(0.2, 0.003, 10.0)
