@@ -15,8 +15,10 @@ from typer.exceptions import TyperException
 from plategait.cli import options, report
 from plategait.cli.estimate import estimate
 from plategait.cli.identify import identify
+from plategait.cli.shoot import shoot
 from plategait.cli.sweep import plot_store, sweep
 from plategait.cli.thesis import thesis
+from plategait.cli.track import target, track
 from plategait.errors import InputError
 from plategait.output import check_writable
 from plategait.presets import PRESETS, preset
@@ -230,6 +232,9 @@ def scenario_command(
 
 app.command()(estimate)
 app.add_typer(identify, name="identify")
+app.command()(track)
+app.command()(target)
+app.command()(shoot)
 app.command()(sweep)
 app.command(name="plot")(plot_store)
 app.command()(thesis)

@@ -231,9 +231,7 @@ def _print(found: Estimate, planned: Plan | None) -> None:
     percent = f"{100 * found.confidence:g} % interval"
     rows = []
     for f in found.findings:
-        p = f.parameter
-        interval = f"{f.low / p.scale:.3g} to {f.high / p.scale:.3g}" if f.verdict == "determined" else "–"
-        rows.append([_WORDS[p.name], f.text, interval])
+        rows.append([_WORDS[f.parameter.name], f.text, f.interval_text])
     title = f"{len(found.posterior.data.which)} points, {found.posterior.trials.rates.size} runs of the engine"
     report.print_table(title, ["", "± one sd", percent], rows)
     for a, b, r in correlated(found):
@@ -259,4 +257,5 @@ def _print_plan(found: Estimate, planned: Plan) -> None:
         print(f"  {_WORDS[p.name]}: sd {now / p.scale:.2g} now, {after / p.scale:.2g} expected after {p.unit}".rstrip())
     if planned.needed:
         least, median, most = (f"{n}{' or more' if n >= MOST_MEASUREMENTS else ''}" for n in planned.needed)
-        print(f"  measurements for the precision wanted: about {median} ({least} to {most})")
+        print("  the precision wanted is there" if planned.needed[1] == 0 else
+              f"  measurements for the precision wanted: about {median} ({least} to {most})")  # fmt: skip

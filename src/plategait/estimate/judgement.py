@@ -53,11 +53,23 @@ class Finding:
     contraction: float
 
     @property
+    def _digits(self) -> int:
+        """Decimals that the standard deviation is worth, two of its own."""
+        return max(0, 1 - math.floor(math.log10(max(self.sd / self.parameter.scale, 1e-9))))
+
+    @property
+    def interval_text(self) -> str:
+        """Interval for people; a dash where there is none."""
+        scale = self.parameter.scale
+        shown = f"{self.low / scale:.{self._digits}f} to {self.high / scale:.{self._digits}f}"
+        return shown if self.verdict == "determined" else "–"
+
+    @property
     def text(self) -> str:
         """For people."""
         scale, unit = self.parameter.scale, f" {self.parameter.unit}" if self.parameter.unit else ""
         if self.verdict == "determined":
-            return f"{self.median / scale:.3g} ± {self.sd / scale:.2g}{unit}"
+            return f"{self.median / scale:.{self._digits}f} ± {self.sd / scale:.{self._digits}f}{unit}"
         if self.verdict == "at most":
             return f"at most {self.high / scale:.3g}{unit}"
         if self.verdict == "at least":

@@ -1,0 +1,88 @@
+"""The command that films a simulated run as a lab's camera would, with the truth beside it."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from plategait.cli import options, report
+from plategait.errors import InputError
+from plategait.output import check_writable
+from plategait.units import FREQUENCY
+
+SUFFIXES = (".mp4", ".mkv", ".mov")
+# Shapes recorded per plate period, which a film interpolates between.
+SHAPES_PER_PERIOD = 24
+
+
+def shoot(
+    scenario: Annotated[str, typer.Argument(metavar="SCENARIO", help="A TOML file or a preset.")],
+    out: Annotated[Path, typer.Argument(metavar="CLIP.mp4", help="Film to write; the truth goes to CLIP.truth.csv.")],
+    frequency: Annotated[str | None, typer.Option("--frequency", help='Plate frequency: "24 Hz".')] = None,
+    angle: options.Angle = None,
+    stroke: options.Stroke = None,
+    natural_frequency: options.NaturalFrequency = None,
+    mu_s: options.MuS = None,
+    mu_k: options.MuK = None,
+    measured: options.With = None,
+    fps: Annotated[float, typer.Option("--fps", help="Frames per second.")] = 30.0,
+    seconds: Annotated[
+        float, typer.Option("--seconds", help="Length of the clip, from when the run has settled.")
+    ] = 3.0,
+    size: Annotated[str, typer.Option("--size", help="Of the picture, px.")] = "1280x720",
+    elevation: Annotated[
+        float, typer.Option("--elevation", help="Of the camera above the plate, deg; 90 looks down.")
+    ] = 55.0,
+    markers: Annotated[bool, typer.Option("--markers/--no-markers", help="Two markers on the object.")] = True,
+    noise: Annotated[float, typer.Option("--noise", help="Of the sensor, grey levels.")] = 2.0,
+    exposure: Annotated[
+        float, typer.Option("--exposure", help="Share of the frame for which the shutter is open.")
+    ] = 0.25,
+    crf: Annotated[int, typer.Option("--crf", help="Quality of the file: 18 good, 35 poor.")] = 20,
+    hidden: Annotated[float, typer.Option("--hidden", help="Share of frames in which a marker is covered.")] = 0.0,
+    seed: options.Seed = 0,
+    as_json: options.Json = False,
+) -> None:
+    """Film a simulated run as an ordinary camera would see it: to plan a set-up, and to try `track` on known truth."""
+    check_writable(out, SUFFIXES, "CLIP.mp4")
+    if not 0.2 <= seconds <= 600:
+        raise InputError("--seconds", seconds, "from 0.2 to 600", "3")
+    from plategait.cli.track import require_opencv
+
+    require_opencv()
+    from plategait.simulation import simulate
+    from plategait.vision.look import Look
+    from plategait.vision.synthetic import film, usual_camera
+
+    width, height = _pixels(size)
+    chosen = options.build(
+        scenario, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
+        frequency=FREQUENCY.read(frequency, "--frequency") if frequency is not None else None, measured=measured,
+    )  # fmt: skip
+    settle = min(1.0, chosen.measured_from)
+    chosen = chosen.replace(duration=settle + seconds + 0.05, transient=settle)
+    look = Look(markers=markers, noise=noise, exposure=exposure, crf=crf, hidden=hidden, seed=seed)
+    with report.progress_bar("filming") as progress:
+        run = simulate(chosen, seed=seed, snapshot_interval=chosen.motion.period / SHAPES_PER_PERIOD)
+        camera = usual_camera(chosen, width, height, elevation=math.radians(elevation))
+        truth = film(run, out, camera, fps, look, seconds=seconds, progress=progress)
+    rate = math.degrees(truth.spin.rate)
+    numbers = {
+        "clip": str(out), "frames": len(truth.time), "fps": fps,
+        "spin_rate_deg_s": rate if math.isfinite(rate) else None, "failure": run.summary()["failure"],
+    }  # fmt: skip
+    report.print_json(numbers) if as_json else print(
+        f"{out}: {len(truth.time)} frames of {chosen.name} at {chosen.motion.frequency:g} Hz, "
+        f"spinning at {rate:.1f} deg/s" + (f", {numbers['failure']}" if numbers["failure"] else "")
+    )
+
+
+def _pixels(text: str) -> tuple[int, int]:
+    """Width and height of a picture."""
+    parts = text.lower().replace("×", "x").split("x")
+    if len(parts) == 2 and all(p.strip().isdigit() and 64 <= int(p) <= 7680 and int(p) % 2 == 0 for p in parts):
+        return int(parts[0]), int(parts[1])
+    raise InputError("--size", text, "two even numbers from 64 to 7680 with an x between", "1280x720")

@@ -1,0 +1,177 @@
+"""A folder of clips, one for each plate frequency, becomes a spin curve that `fit` and `estimate` take."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from plategait.curve import Curve
+from plategait.errors import InputError
+from plategait.estimate.result import SLIP_LIMIT
+from plategait.vision.survey import Setup
+from plategait.vision.track import Track, track
+
+CLIPS = (".mp4", ".mov", ".avi", ".mkv", ".m4v", ".webm", ".mpg", ".mpeg", ".mts")
+# "24Hz", "24.5 hz", "24p5Hz", "24,5_Hz": a number with its unit, wherever it stands in the name.
+_IN_NAME = re.compile(r"(?<![\d.,])(\d+(?:[.,p]\d+)?)[\s_-]*hz", re.IGNORECASE)
+
+
+@dataclass(frozen=True, eq=False)
+class Clip:
+    """One clip of a folder: the plate frequency, where it comes from, and the track or why there is none."""
+
+    path: Path
+    frequency: float
+    known_by: str
+    track: Track | None
+    trouble: str = ""
+
+    @property
+    def failure(self) -> str:
+        """What happened to the object, in words of the curve; empty where it stayed or nothing is known."""
+        if self.track is not None and self.track.drift > SLIP_LIMIT:
+            return "slipped"
+        return ""
+
+
+def frequency_in_name(path: Path) -> float | None:
+    """Plate frequency that a file's name tells, Hz: "cheese_24Hz.mp4", "12p5 Hz.mov"; None where it tells none.
+
+    Raises
+    ------
+    InputError
+        When the name tells two different ones.
+    """
+    found = {float(text.replace(",", ".").replace("p", ".").replace("P", ".")) for text in _IN_NAME.findall(path.stem)}
+    if len(found) > 1:
+        listed = " and ".join(f"{f:g}" for f in sorted(found))
+        raise InputError("clip", f"{path.name}, which tells {listed} Hz", "a name with one frequency", "24Hz.mp4")
+    return found.pop() if found else None
+
+
+def read_frequencies(path: Path | str) -> dict[str, float]:
+    """Plate frequency (Hz) by clip, from a CSV with the columns clip and frequency_hz.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read or a frequency is no number above 0.
+    """
+    path = Path(path)
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            rows = list(csv.DictReader(file))
+    except (OSError, UnicodeDecodeError, csv.Error):
+        raise InputError("--frequencies", str(path), "a CSV file that can be read", "clip,frequency_hz") from None
+    if not rows or not {"clip", "frequency_hz"} <= set(rows[0]):
+        raise InputError("--frequencies", str(path), "a table of clip and frequency_hz", "clip,frequency_hz")
+    known = {}
+    for row in rows:
+        try:
+            value = float(row["frequency_hz"])
+        except (TypeError, ValueError):
+            value = math.nan
+        if not 0 < value < math.inf:
+            raise InputError(f"{path.name}, {row['clip']}", row["frequency_hz"], "a frequency above 0 Hz", "24.0")
+        known[Path(row["clip"]).stem] = value
+    return known
+
+
+def clips_in(folder: Path | str) -> list[Path]:
+    """Video files of a folder, by name.
+
+    Raises
+    ------
+    InputError
+        When it is no folder, or has none.
+    """
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise InputError("FOLDER", str(folder), "a folder of clips", "clips/ with 14Hz.mp4, 16Hz.mp4, …")
+    found = sorted(p for p in folder.iterdir() if p.suffix.lower() in CLIPS and not p.name.startswith("."))
+    if not found:
+        raise InputError("FOLDER", f"{folder} without a clip", f"a folder of {', '.join(CLIPS[:4])}", "clips/24Hz.mp4")
+    return found
+
+
+def track_folder(
+    folder: Path | str,
+    setup: Setup,
+    *,
+    frequencies: Mapping[str, float] | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> list[Clip]:
+    """Follow the object in every clip of a folder.
+
+    The plate frequency comes from the table given, else from the file's name, else from the plate as it was seen. A
+    clip that cannot be followed is kept with the reason, so that one bad clip costs no other.
+
+    Parameters
+    ----------
+    folder : Path or str
+    setup : Setup
+        How they were filmed; its plate frequency is not used.
+    frequencies : mapping of str to float, optional
+        Plate frequency (Hz) by file name without its ending.
+    progress : callable, optional
+        Called with the fraction done.
+
+    Raises
+    ------
+    InputError
+        When the folder has no clips, or a name tells two frequencies.
+    """
+    paths = clips_in(folder)
+    told = [(frequencies or {}).get(path.stem, frequency_in_name(path)) for path in paths]
+    clips = []
+    for i, (path, frequency) in enumerate(zip(paths, told, strict=True)):
+
+        def report(done: float, i: int = i) -> None:
+            if progress is not None:
+                progress((i + done) / len(paths))
+
+        try:
+            seen = track(path, replace(setup, plate_frequency=frequency), progress=report)
+        except InputError as error:
+            clips.append(Clip(path, frequency or math.nan, "told", None, str(error)))
+            continue
+        known_by = "told" if frequency is not None else "seen"
+        used = seen.plate_frequency if frequency is None else frequency
+        trouble = seen.spin.reason if math.isnan(seen.spin.rate) else ""
+        if math.isnan(used):
+            trouble = "its plate frequency is neither in the name nor to be seen"
+        clips.append(Clip(path, used, known_by, seen, trouble))
+    return clips
+
+
+def curve_of_clips(clips: list[Clip], name: str) -> Curve:
+    """Spin curve of tracked clips, by rising frequency; clips of unknown frequency are left out.
+
+    Raises
+    ------
+    InputError
+        When no clip gave a frequency.
+    """
+    kept = sorted((c for c in clips if math.isfinite(c.frequency)), key=lambda c: c.frequency)
+    if not kept:
+        raise InputError(
+            "FOLDER", "clips of unknown plate frequency", "clips named by it", "24Hz.mp4, or --frequencies FILE"
+        )
+
+    def rates(of: Callable[[Track], float]) -> np.ndarray:
+        return np.degrees([math.nan if c.track is None or c.failure else of(c.track) for c in kept])
+
+    return Curve(
+        name=name,
+        frequency_hz=np.array([c.frequency for c in kept]),
+        spin_rate_deg_s=rates(lambda t: t.spin.rate),
+        spin_rate_sd_deg_s=rates(lambda t: (t.spin.high - t.spin.low) / (2 * 1.96)),
+        gait=("",) * len(kept),
+        failure=tuple(c.failure for c in kept),
+    )

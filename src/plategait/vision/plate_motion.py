@@ -1,0 +1,167 @@
+"""How the plate moves, from where it was seen: its tilt, its frequency, and where the camera stands."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+# Frames that the search for a frequency looks at, and what share of the motion a single frequency must hold.
+MOST_FRAMES, LEAST_POWER = 4000, 0.5
+# Spread of the frame intervals over the usual one above which frames come unevenly, and frequencies looked at then, Hz.
+UNEVEN, UNEVEN_FASTEST = 0.02, 80.0
+# Swings of the plate's corners smaller than this are noise, px.
+LEAST_SWING = 1.0
+# Focal lengths over the picture's longer side that a camera has.
+SHORTEST_FOCAL, LONGEST_FOCAL = 0.4, 12.0
+
+
+@dataclass(frozen=True, eq=False)
+class PlateMotion:
+    """What the plate does in a clip.
+
+    Attributes
+    ----------
+    frequency : float
+        As the camera sees it, Hz: the true one or that less a multiple of the frame rate; NaN where none stands out.
+    tilt : float
+        Amplitude A_p about the bar, rad; NaN where it cannot be known.
+    eye : (n, 3) array or None
+        Where the camera stands in the plate's frame at each frame, m; None where its focal length is unknown.
+    focal : float
+        Focal length, px; NaN where unknown.
+    """
+
+    frequency: float
+    tilt: float
+    eye: Array | None
+    focal: float
+
+
+def plate_motion(
+    time: Array, views: Array, size: tuple[float, float], middle: tuple[float, float], focal: float | None = None
+) -> PlateMotion:
+    """Motion of the plate from its homographies.
+
+    Parameters
+    ----------
+    time : (n,) array
+        s.
+    views : (n, 3, 3) array
+        From plate coordinates, m, to pixels; NaN where it was not seen.
+    size : (length, width)
+        Of the plate, m.
+    middle : (x, y)
+        Of the lens in the picture, px.
+    focal : float, optional
+        Focal length, px; from the views by default.
+    """
+    seen = np.isfinite(views).all(axis=(1, 2))
+    if seen.sum() < 8:
+        return PlateMotion(math.nan, math.nan, None, math.nan)
+    H = np.linalg.inv(np.array([[1, 0, middle[0]], [0, 1, middle[1]], [0, 0, 1.0]])) @ views[seen]
+    frequency = _frequency(time[seen], _corners(H, size))
+    focal = focal or focal_of(H, max(middle) * 2)
+    if not focal:
+        return PlateMotion(frequency, math.nan, None, math.nan)
+    R, t = poses(H, focal)
+    eye = np.full((len(time), 3), math.nan)
+    eye[seen] = -np.einsum("nji,nj->ni", R, t)
+    return PlateMotion(frequency, _tilt(time[seen], R, frequency), eye, focal)
+
+
+def focal_of(H: Array, longest: float) -> float | None:
+    """Focal length, px, at which the plate's axes are square and alike in all views (n, 3, 3), or None.
+
+    Pixels count from the middle of the lens. Views from straight above say nothing; a plate that tilts does.
+    """
+    H = H / np.linalg.norm(H[:, :2, 0], axis=1)[:, None, None] * 1e3
+    h1, h2 = H[:, :, 0], H[:, :, 1]
+    a = np.concatenate([np.sum(h1[:, :2] * h2[:, :2], axis=1), np.sum(h1[:, :2] ** 2 - h2[:, :2] ** 2, axis=1) / 2])
+    b = np.concatenate([h1[:, 2] * h2[:, 2], (h1[:, 2] ** 2 - h2[:, 2] ** 2) / 2])
+    # a / f² + b = 0; the noise is in a, so that a is regressed on b.
+    square = -float(a @ b) / max(float(b @ b), 1e-30)
+    scatter = float(np.std(a + square * b)) / max(math.sqrt(float(b @ b)), 1e-30)
+    if square <= 0 or not SHORTEST_FOCAL * longest < math.sqrt(square) < LONGEST_FOCAL * longest:
+        return None
+    return math.sqrt(square) if scatter < 0.05 * square else None
+
+
+def poses(H: Array, focal: float) -> tuple[Array, Array]:
+    """Rotations (n, 3, 3) and translations (n, 3), m, from the plate's frame to the camera's."""
+    M = np.diag([1 / focal, 1 / focal, 1.0]) @ H
+    scale = 2 / (np.linalg.norm(M[:, :, 0], axis=1) + np.linalg.norm(M[:, :, 1], axis=1))
+    M = M * (scale * np.sign(M[:, 2, 2]))[:, None, None]
+    third = np.cross(M[:, :, 0], M[:, :, 1])
+    U, _, Vt = np.linalg.svd(np.stack([M[:, :, 0], M[:, :, 1], third], axis=-1))
+    return U @ Vt, M[:, :, 2]
+
+
+def _tilt(time: Array, R: Array, frequency: float) -> float:
+    """Amplitude of the turns about the bar, rad: of the swing at a known frequency, else half the range.
+
+    The bar is the plate's x axis or, where only its outline is known, may be y: the one about which it turns more.
+    """
+    U, _, Vt = np.linalg.svd(R.mean(axis=0))
+    relative = (U @ Vt).T @ R
+    about = np.stack(
+        [np.arctan2(relative[:, 2, 1], relative[:, 1, 1]), np.arctan2(relative[:, 0, 2], relative[:, 0, 0])]
+    )
+    angle = about[np.argmax(np.ptp(np.percentile(about, [5, 95], axis=1), axis=0))]
+    duration, half_rate = float(np.ptp(time)), 0.5 / float(np.median(np.diff(time)))
+    # Too slow for a whole swing, or one at every other frame: its phase is not seen.
+    if not frequency * duration > 1 or abs(half_rate - frequency) < 1 / duration:
+        low, high = np.percentile(angle, [2, 98])
+        return float(high - low) / 2
+    A = _swing(time, frequency)
+    found = np.linalg.lstsq(A, angle, rcond=None)[0]
+    missed = np.abs(angle - A @ found)
+    kept = missed <= 4 * 1.48 * np.median(missed) + 1e-9
+    return float(np.hypot(*np.linalg.lstsq(A[kept], angle[kept], rcond=None)[0][:2]))
+
+
+def _swing(time: Array, frequency: float) -> Array:
+    turn = 2 * math.pi * frequency * time
+    return np.column_stack([np.cos(turn), np.sin(turn), np.ones_like(turn)])
+
+
+def _corners(H: Array, size: tuple[float, float]) -> Array:
+    """(n, 8) corners of the plate, px."""
+    x, y = size[0] / 2, size[1] / 2
+    out = np.array([[-x, -y, 1], [x, -y, 1], [x, y, 1], [-x, y, 1]]) @ H.transpose(0, 2, 1)
+    return (out[..., :2] / out[..., 2:]).reshape(len(H), 8)
+
+
+def _frequency(time: Array, corners: Array) -> float:
+    """Frequency of the main swing of the corners, Hz; NaN where there is none.
+
+    Up to half the frame rate where frames come evenly. Where they do not, faster swings are told from slow ones.
+    """
+    time, corners = time[:MOST_FRAMES], corners[:MOST_FRAMES]
+    swing = corners - np.median(corners, axis=0)
+    swing = swing @ np.linalg.svd(swing, full_matrices=False)[2][0]
+    swing -= swing.mean()
+    intervals = np.diff(time)
+    usual = float(np.median(intervals))
+    duration, uneven = float(np.ptp(time)), float(np.std(intervals[intervals < 1.5 * usual])) / usual
+    fastest = UNEVEN_FASTEST if uneven > UNEVEN else 0.5 / usual
+    grid = np.arange(1 / duration, fastest * 1.0001, 0.2 / duration)
+    if np.std(swing) < LEAST_SWING or len(grid) < 3:
+        return math.nan
+
+    def power(f: float) -> float:
+        A = _swing(time, f)
+        return float(np.var(A @ np.linalg.lstsq(A, swing, rcond=None)[0])) / float(np.var(swing))
+
+    few = slice(None, None, max(1, len(time) // 1000)) if uneven <= UNEVEN else slice(1000)
+    sums = [abs(np.exp(-2j * math.pi * f * time[few]) @ swing[few]) for f in grid]
+    best = float(grid[int(np.argmax(sums))])
+    fine = np.linspace(best - 0.25 / duration, best + 0.25 / duration, 41)
+    fine = fine[(fine > 0) & (fine <= fastest)]
+    powers = [power(f) for f in fine]
+    k = int(np.argmax(powers))
+    return float(fine[k]) if powers[k] > LEAST_POWER else math.nan

@@ -1,0 +1,116 @@
+"""What was tracked, for people and programs: a film with the pose drawn over it, and a table of poses."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plategait.output import whole_file
+from plategait.vision.frames import Frame
+from plategait.vision.markers import Pose
+from plategait.vision.plate import PlateView, project
+
+if TYPE_CHECKING:
+    from plategait.vision.film_writer import FilmWriter
+    from plategait.vision.track import FollowFrame, Track
+
+# Blue, green, red.
+SURE, UNSURE, PLATE = (60, 200, 40), (40, 60, 240), (220, 150, 40)
+COLUMNS = ("time_s", "x_mm", "y_mm", "angle_deg", "sure", "reason")
+# Quality of the film (H.264's constant rate factor), and frames per second where a camera does not tell.
+QUALITY, USUAL_FPS = 24, 30.0
+
+
+@contextmanager
+def preview(path: Path | str, size: tuple[float, float], fps: float = USUAL_FPS) -> Iterator[FollowFrame]:
+    """Write a film of what is tracked; gives what `plategait.vision.track.track` takes as `follow`.
+
+    Sure poses are green, uncertain ones red with the reason; the plate is blue.
+
+    Parameters
+    ----------
+    path : Path or str
+        File to write, ending in .mp4, .mkv or .mov; it appears when it is complete.
+    size : (length, width)
+        Of the plate, m.
+    fps : float
+        Frames per second, about: each frame keeps its own time.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
+    from plategait.vision.film_writer import film_file
+
+    with ExitStack() as open_files:
+        writer: FilmWriter | None = None
+
+        def follow(frame: Frame, view: PlateView, pose: Pose) -> None:
+            nonlocal writer
+            picture = drawn(frame, view, pose, size)
+            if writer is None:  # the size is known by the first picture
+                height, width = picture.shape[:2]
+                writer = open_files.enter_context(film_file(path, (width, height), fps, QUALITY))
+            writer.add(picture, frame.time)
+
+        yield follow
+
+
+def drawn(frame: Frame, view: PlateView, pose: Pose, size: tuple[float, float]) -> NDArray[np.uint8]:
+    """(height, width, 3) picture of a frame with the plate's outline, the object's pose, and why it is uncertain."""
+    import cv2
+
+    picture = frame.bgr()
+    width = max(1, round(picture.shape[0] / 360))
+    if view.homography is not None:
+        x, y = size[0] / 2, size[1] / 2
+        _line(picture, project(view.homography, np.array([[-x, -y], [x, -y], [x, y], [-x, y]])), PLATE, width, True)
+        if math.isfinite(pose.x):
+            colour = UNSURE if pose.reason else SURE
+            middle = np.array([pose.x, pose.y])
+            spot = np.round(project(view.homography, middle)).astype(int)
+            cv2.circle(picture, (int(spot[0]), int(spot[1])), 3 * width, colour, width, cv2.LINE_AA)
+            if math.isfinite(pose.angle):
+                tip = middle + 0.3 * min(size) * np.array([math.cos(pose.angle), math.sin(pose.angle)])
+                _line(picture, project(view.homography, np.stack([middle, tip])), colour, width, False)
+    words = f"{frame.time:.3f} s   {pose.reason or 'sure'}"
+    place, scale = (6 * width, picture.shape[0] - 6 * width), picture.shape[0] / 900
+    for colour, thick in (((255, 255, 255), 3 * width), (UNSURE if pose.reason else (30, 30, 30), width)):
+        cv2.putText(picture, words, place, cv2.FONT_HERSHEY_SIMPLEX, scale, colour, thick, cv2.LINE_AA)
+    return picture
+
+
+def _line(
+    picture: NDArray[np.uint8], points: NDArray[np.float64], colour: tuple[int, int, int], width: int, closed: bool
+) -> None:
+    import cv2
+
+    if np.isfinite(points).all() and np.abs(points).max() < 1e5:
+        cv2.polylines(picture, [np.round(points).astype(np.int32)], closed, colour, width, cv2.LINE_AA)
+
+
+def write_poses(track: Track, path: Path | str) -> None:
+    """Write one row per frame as CSV with the columns of `COLUMNS`: s, mm, deg; empty where not seen.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
+    with (
+        whole_file(path, (".csv",), "--out") as unfinished,
+        open(unfinished, "w", newline="", encoding="utf-8") as file,
+    ):
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        numbers = (track.time, 1e3 * track.x, 1e3 * track.y, np.degrees(track.angle))
+        for *row, sure, reason in zip(*numbers, track.sure, track.reason, strict=True):
+            writer.writerow([*(f"{v:.7g}" if math.isfinite(v) else "" for v in row), int(sure), reason])
