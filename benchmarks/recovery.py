@@ -40,7 +40,7 @@ def true_object(number: int) -> tuple[np.ndarray, Scenario]:
     return truth, unknowns(BASE).scenario(truth * (math.pi, math.radians(1), 1.0))
 
 
-def measurement(scenario: Scenario, generator: np.random.Generator) -> Callable[[float], Outcome]:
+def measurement(scenario: Scenario, generator: np.random.Generator, noise: float = NOISE) -> Callable[[float], Outcome]:
     """Measures one plate frequency: the object laid down anew each time, its rate read with noise."""
 
     def measure(frequency: float) -> Outcome:
@@ -48,7 +48,7 @@ def measurement(scenario: Scenario, generator: np.random.Generator) -> Callable[
         changes = {"motion.frequency": frequency, "start.x": x, "start.y": y,
                    "start.angle": generator.normal(0, START_TURN)}  # fmt: skip
         run = simulate(scenario.replace(**changes))
-        rate = math.degrees(run.spin_rate) * (1 + NOISE * generator.normal())
+        rate = math.degrees(run.spin_rate) * (1 + noise * generator.normal())
         return rate, run.failure.kind if run.failure else ""
 
     return measure

@@ -1,7 +1,7 @@
 """How far off estimates are when the model is wrong, and whether the check on the fit notices.
 
-``python -m benchmarks.robustness [--objects 6]``: data from objects that the estimator's model does not hold, 12 plate
-frequencies spread from 13 to 31 Hz at A_p = 3 deg, 5 % noise, β unknown.
+``python -m benchmarks.robustness [--objects 6] [--noise 0.05]``: data from objects that the estimator's model does not
+hold, 12 plate frequencies spread from 13 to 31 Hz at A_p = 3 deg, β unknown.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def larger(scenario: Scenario) -> Scenario:
     return scenario.replace(sheet=sheet.with_natural_frequency(scenario.sheet.natural_frequency))
 
 
-def measured_on_tiles(scenario: Scenario, generator: np.random.Generator) -> dict[float, Outcome]:
+def measured_on_tiles(scenario: Scenario, generator: np.random.Generator, noise: float) -> dict[float, Outcome]:
     """Rates of rigid tiles with a quarter of their rotary inertia, run-off by the same limit of slip."""
     sheet, friction, motion = scenario.sheet, scenario.friction, scenario.motion
     lattice, frequencies = sheet.lattice, np.linspace(13, 31, 12)
@@ -77,7 +77,7 @@ def measured_on_tiles(scenario: Scenario, generator: np.random.Generator) -> dic
         slipped = observables.slip(recorded["time"], x[i].mean(axis=1), y[i].mean(axis=1), 1 / f)
         failed = not np.isfinite(slipped[-1]) or np.nanmax(slipped) > scenario.slip_limit
         rate = observables.spin_rate(recorded["time"], angle, 1 / f, scenario.measured_from, scenario.duration).rate
-        points[float(f)] = (math.degrees(rate) * (1 + NOISE * generator.normal()), "slipped" if failed else "")
+        points[float(f)] = (math.degrees(rate) * (1 + noise * generator.normal()), "slipped" if failed else "")
     return points
 
 
@@ -99,6 +99,7 @@ def row(name: str, found: list[tuple[Any, tuple[float, float, float]]]) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--objects", type=int, default=len(OBJECTS))
+    parser.add_argument("--noise", type=float, default=NOISE)
     parser.add_argument("--tiles", type=int, default=3, help="objects for the slow tile model")
     given = parser.parse_args()
     print(
@@ -110,10 +111,10 @@ def main() -> None:
             scenario = unknowns(BASE).scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
             generator = np.random.default_rng(i)
             if name == "rigid tiles":
-                points = measured_on_tiles(scenario, generator)
+                points = measured_on_tiles(scenario, generator, given.noise)
             else:
-                points = spread(measurement(CHANGES[name](scenario), generator))
-            found.append((estimate_parameters(curve_of(points), BASE, noise=NOISE, seed=i), truth))
+                points = spread(measurement(CHANGES[name](scenario), generator, given.noise))
+            found.append((estimate_parameters(curve_of(points), BASE, noise=given.noise, seed=i), truth))
         print(row(name, found), flush=True)
 
 

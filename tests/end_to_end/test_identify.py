@@ -45,7 +45,11 @@ def test_an_example_becomes_a_fragment_that_simulates(tmp_path, kind, field, val
     found = data[section][name]
     assert (float(str(found).split()[0])) == pytest.approx(value, rel=within)
     assert field in data["uncertainty"]["sd"]
-    plategait("simulate", "cheese", "--with", "f.toml", "--duration", "0.2 s", cwd=tmp_path, check=0)
+    done = plategait("simulate", "cheese", "--with", "f.toml", "--draws", "4", "--duration", "0.2 s", "--json",
+                     cwd=tmp_path, check=0)  # fmt: skip
+    drawn = json.loads(done.stdout)["draws"]
+    assert drawn["runs"] == 4
+    assert drawn["low"] <= drawn["spin_rate_deg_s"] <= drawn["high"]
 
 
 @pytest.mark.parametrize("kind", ["bending", "compression", "friction", "modes"])
@@ -95,7 +99,7 @@ def test_the_linear_method_and_its_refusal(tmp_path):
         (("c.csv", "--free", "colour"), "--free"), (("c.csv", "--angle", "3 deg", "--angle", "12 deg"), "--angle"),
         (("none.csv",), "none.csv"), (("one.csv",), "at least 3"), (("c.csv", "--method", "magic"), "--method"),
         (("c.csv", "--confidence", "2"), "confidence"), (("c.csv", "--out", "e.txt"), "--out"),
-        (("nan.csv",), "line 3"),
+        (("nan.csv",), "line 3"), (("c.csv", "--with", "none.toml"), "none.toml"),
     ],
 )  # fmt: skip
 def test_bad_estimates_are_one_line(tmp_path, arguments, named):

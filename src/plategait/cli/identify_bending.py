@@ -8,19 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from plategait.cli import options, report
+from plategait.cli import identified, options, report
 from plategait.identify.likelihood import known
 from plategait.identify.shown import words
-from plategait.output import check_writable
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from plategait.identify.bending import BendingResult
 
-PICTURES = (".png", ".pdf", ".svg")
 _MASS = Quantity("kg", "g", "0.285 g", above=0)
-_LENGTH = Quantity("m", "mm", "10 mm", above=0)
-_TIME = Quantity("s", "s", "0.05 s")
 
 
 def bending(
@@ -46,44 +44,43 @@ def bending(
     y_down: Annotated[
         bool, typer.Option("--y-down", help="y of the markers counts downwards, as in pictures.")
     ] = False,
-    out: Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")] = None,
+    out: identified.Out = None,
     plot: options.Plot = None,
     as_json: options.Json = False,
 ) -> None:
     """Stiffness and damping of the bending joint from how a released strip sags."""
-    if out:
-        check_writable(out, (".toml",), "--out")
-    if plot:
-        check_writable(plot, PICTURES, "--plot")
+    identified.check_outputs(out, plot)
     from plategait.identify.bending import identify_bending
     from plategait.identify.markers import read_angles
     from plategait.identify.recording import Window
     from plategait.identify.two_links import Strip
 
-    strip = Strip(_MASS.read(mass, "--mass"), _LENGTH.read(length, "--length"))
+    strip = Strip(_MASS.read(mass, "--mass"), identified.LENGTH.read(length, "--length"))
     result = identify_bending(
         read_angles(recording, y_down=y_down),
         strip=strip,
-        width=_LENGTH.read(width, "--width") if width is not None else None,
+        width=identified.LENGTH.read(width, "--width") if width is not None else None,
         method=method,  # type: ignore[arg-type]
         wall=wall,  # type: ignore[arg-type]
         centripetal=centripetal,
-        window=Window(
-            _TIME.read(start, "--from") if start is not None else -math.inf,
-            _TIME.read(end, "--to") if end is not None else math.inf,
-        ),
+        window=Window(*identified.between(start, end)),
     )
-    if out and result.parameters:
-        from plategait.fragment import write_fragment
 
-        write_fragment(result.to_fragment(), out)
-    if plot:
+    def draw() -> Figure:
         from plategait.identify.figures import plot_bending
-        from plategait.plots import save
 
-        save(plot_bending(result), plot)
-    report.print_json(result.summary()) if as_json else _print(result)
-    raise typer.Exit(0 if "sheet.bending_stiffness" in result.parameters else 1)
+        return plot_bending(result)
+
+    identified.deliver(
+        result,
+        bool(result.parameters),
+        out=out,
+        plot=plot,
+        as_json=as_json,
+        draw=draw,
+        show=lambda: _print(result),
+        answered="sheet.bending_stiffness" in result.parameters,
+    )
 
 
 def _print(result: BendingResult) -> None:

@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from plategait.cli import options, report
+from plategait.cli import identified, options, report
 from plategait.identify.likelihood import known
 from plategait.identify.shown import words
-from plategait.output import check_writable
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from plategait.identify.compression import CompressionResult
 
-PICTURES = (".png", ".pdf", ".svg")
-_LENGTH = Quantity("m", "mm", "10 mm", above=0)
 _THICKNESS = Quantity("m", "mm", "2.5 mm", above=0)
-_TIME = Quantity("s", "s", "0.05 s")
 
 
 def compression(
@@ -33,40 +30,39 @@ def compression(
     ] = False,
     start: Annotated[str | None, typer.Option("--from", help='Time from which the jaw touches: "0.05 s".')] = None,
     end: Annotated[str | None, typer.Option("--to", help="Time until which it does.")] = None,
-    out: Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")] = None,
+    out: identified.Out = None,
     plot: options.Plot = None,
     as_json: options.Json = False,
 ) -> None:
     """Stiffness and damping of the axial joint from displacement and force of a press."""
-    if out:
-        check_writable(out, (".toml",), "--out")
-    if plot:
-        check_writable(plot, PICTURES, "--plot")
+    identified.check_outputs(out, plot)
     from plategait.identify.compression import identify_compression, read_pressing
     from plategait.identify.recording import Window
 
     result = identify_compression(
         read_pressing(recording),
         thickness=_THICKNESS.read(thickness, "--thickness"),
-        length=_LENGTH.read(length, "--length"),
+        length=identified.LENGTH.read(length, "--length"),
         method=method,  # type: ignore[arg-type]
         offset=offset,
-        window=Window(
-            _TIME.read(start, "--from") if start is not None else -math.inf,
-            _TIME.read(end, "--to") if end is not None else math.inf,
-        ),
+        window=Window(*identified.between(start, end)),
     )
-    if out and result.parameters:
-        from plategait.fragment import write_fragment
 
-        write_fragment(result.to_fragment(), out)
-    if plot:
+    def draw() -> Figure:
         from plategait.identify.figures import plot_compression
-        from plategait.plots import save
 
-        save(plot_compression(result), plot)
-    report.print_json(result.summary()) if as_json else _print(result)
-    raise typer.Exit(0 if "sheet.axial_stiffness" in result.parameters else 1)
+        return plot_compression(result)
+
+    identified.deliver(
+        result,
+        bool(result.parameters),
+        out=out,
+        plot=plot,
+        as_json=as_json,
+        draw=draw,
+        show=lambda: _print(result),
+        answered="sheet.axial_stiffness" in result.parameters,
+    )
 
 
 def _print(result: CompressionResult) -> None:

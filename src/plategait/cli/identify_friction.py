@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from plategait.cli import options, report
+from plategait.cli import identified, options, report
 from plategait.identify.shown import words
-from plategait.output import check_writable
 
 if TYPE_CHECKING:
-    from plategait.identify.friction import FrictionResult
+    from matplotlib.figure import Figure
 
-PICTURES = (".png", ".pdf", ".svg")
+    from plategait.identify.friction import FrictionResult
 
 
 def friction(
@@ -23,33 +22,25 @@ def friction(
         list[Path],
         typer.Argument(metavar="TILT.csv…", help="Columns time_s, angle_deg, position_mm; a file per trial."),
     ],
-    out: Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")] = None,
+    out: identified.Out = None,
     plot: options.Plot = None,
     as_json: options.Json = False,
 ) -> None:
     """Friction of an object on a plate that is slowly tilted: the angle at which it slips, and the slide after it."""
-    if out:
-        check_writable(out, (".toml",), "--out")
-    if plot:
-        check_writable(plot, PICTURES, "--plot")
+    identified.check_outputs(out, plot)
     from plategait.identify.friction import identify_friction
     from plategait.identify.tilt import read_tilt
 
     result = identify_friction([read_tilt(path) for path in tilts])
-    if out and result.static:
-        from plategait.fragment import write_fragment
 
-        write_fragment(result.to_fragment(), out)
-    if plot:
+    def draw() -> Figure:
         from plategait.identify.tilt_figures import plot_tilt
-        from plategait.plots import save
 
-        save(plot_tilt(result), plot)
-    if as_json:
-        report.print_json(result.summary())
-    else:
-        _print(result)
-    raise typer.Exit(0 if result.static else 1)
+        return plot_tilt(result)
+
+    identified.deliver(
+        result, result.static is not None, out=out, plot=plot, as_json=as_json, draw=draw, show=lambda: _print(result)
+    )
 
 
 def _print(result: FrictionResult) -> None:

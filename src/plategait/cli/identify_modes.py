@@ -8,19 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from plategait.cli import options, report
+from plategait.cli import identified, options, report
 from plategait.identify.shown import words
-from plategait.output import check_writable
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from plategait.identify.ring_result import RingResult
 
-PICTURES = (".png", ".pdf", ".svg")
-_LENGTH = Quantity("m", "mm", "20 mm", above=0)
 _LENGTH_SD = Quantity("m", "mm", "0.2 mm", at_least=0)
 _AREA_MASS = Quantity("kg/m^2", "kg/m^2", "2.7 kg/m^2", above=0)
-_TIME = Quantity("s", "s", "0.05 s")
 
 
 def ring(
@@ -41,41 +39,39 @@ def ring(
     mode: Annotated[
         int | None, typer.Option("--mode", help="Which mode, from 1 for the slowest; the strongest.")
     ] = None,
-    out: Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")] = None,
+    out: identified.Out = None,
     plot: options.Plot = None,
     as_json: options.Json = False,
 ) -> None:
     """Bending stiffness and damping from how a sheet, or a strip of it, rings after it was let go."""
-    if out:
-        check_writable(out, (".toml",), "--out")
-    if plot:
-        check_writable(plot, PICTURES, "--plot")
+    identified.check_outputs(out, plot)
     from plategait.identify.ring import identify_ring
     from plategait.identify.ring_recording import read_ring
 
+    first, last = identified.between(start, end)
     result = identify_ring(
         read_ring(recording), options.load(sheet, "--sheet").sheet,
         support=support,  # type: ignore[arg-type]
-        length=_LENGTH.read(length, "--length") if length is not None else None,
+        length=identified.LENGTH.read(length, "--length") if length is not None else None,
         length_sd=_LENGTH_SD.read(length_sd, "--length-sd"),
         mass_per_area=_AREA_MASS.read(mass_per_area, "--mass-per-area") if mass_per_area is not None else None,
-        start=_TIME.read(start, "--from") if start is not None else -math.inf,
-        end=_TIME.read(end, "--to") if end is not None else math.inf, mode=mode,
+        start=first, end=last, mode=mode,
     )  # fmt: skip
-    if out and result.stiffness:
-        from plategait.fragment import write_fragment
 
-        write_fragment(result.to_fragment(), out)
-    if plot:
+    def draw() -> Figure:
         from plategait.identify.ring_figures import plot_ring
-        from plategait.plots import save
 
-        save(plot_ring(result), plot)
-    if as_json:
-        report.print_json(result.summary())
-    else:
-        _print(result)
-    raise typer.Exit(0 if result.stiffness else 1)
+        return plot_ring(result)
+
+    identified.deliver(
+        result,
+        result.stiffness is not None,
+        out=out,
+        plot=plot,
+        as_json=as_json,
+        draw=draw,
+        show=lambda: _print(result),
+    )
 
 
 def _print(result: RingResult) -> None:
