@@ -33,6 +33,9 @@ CLOUD = 2**14
 GENERATIONS = 8
 WALKERS, BURN_IN, STEPS, THIN = 96, 200, 400, 5
 
+# Points of the unit cube with their log likelihoods.
+Cloud = tuple[Array, Array]
+
 
 @dataclass(frozen=True, eq=False)
 class Posterior:
@@ -100,6 +103,7 @@ def estimate_posterior(
     u = stratified(first, dimensions, generator)
     trials: Trials | None = None
     likelihood: Likelihood | None = None
+    cloud: Cloud | None = None
     for i in range(1 + MOST_ROUNDS):
 
         def report(done: float, i: int = i, size: int = len(u), before: int = len(trials.u) if trials else 0) -> None:
@@ -109,12 +113,14 @@ def estimate_posterior(
         fresh = run_trials(unknowns, u, data.conditions, seed=seed, progress=report)
         trials = fresh if trials is None else trials.joined(fresh)
         likelihood = _learn(data, trials, likelihood, noise)
-        if i and _good_enough(likelihood, dimensions, generator):
+        cloud = _cloud(likelihood, dimensions, generator)
+        if i and _good_enough(likelihood, cloud, generator):
             break
-        u = _promising(likelihood, dimensions, later, generator)
+        u = _promising(cloud, dimensions, later, generator)
     assert likelihood is not None
     assert trials is not None
-    full = _sample(likelihood, dimensions, generator)
+    assert cloud is not None
+    full = _sample(likelihood, cloud, generator)
     parameters, sampled_noise = likelihood.split(full)
     return Posterior(unknowns, data, parameters, sampled_noise, likelihood, trials, full)
 
@@ -125,9 +131,9 @@ def stratified(size: int, dimensions: int, generator: np.random.Generator) -> Ar
     return (strata + generator.random((size, dimensions))) / size
 
 
-def _good_enough(likelihood: Likelihood, dimensions: int, generator: np.random.Generator) -> bool:
+def _good_enough(likelihood: Likelihood, cloud: Cloud, generator: np.random.Generator) -> bool:
     """Whether the emulators add little to what the measurement leaves open."""
-    u, score = _cloud(likelihood, dimensions, generator)
+    u, score = cloud
     likely = u[_resampled(score, 1.0, 256, generator)]
     parameters, noise = likelihood.split(likely)
     spread = np.median(likelihood.spread(likelihood.predicted(parameters), noise), axis=0)
@@ -162,7 +168,7 @@ def _near(likelihood: Likelihood, u: Array) -> NDArray[np.bool_]:
     return scores > scores.max() - NEAR
 
 
-def _cloud(likelihood: Likelihood, dimensions: int, generator: np.random.Generator) -> tuple[Array, Array]:
+def _cloud(likelihood: Likelihood, dimensions: int, generator: np.random.Generator) -> Cloud:
     """Points of the cube and their log likelihoods, ever denser where the data are likely.
 
     Each generation spreads about the best of all before it, at a temperature that keeps enough of them; once that
@@ -206,20 +212,20 @@ def _resampled(score: Array, temperature: float, size: int, generator: np.random
     return generator.choice(len(score), size=size, p=weight / weight.sum())
 
 
-def _promising(likelihood: Likelihood, dimensions: int, size: int, generator: np.random.Generator) -> Array:
+def _promising(cloud: Cloud, dimensions: int, size: int, generator: np.random.Generator) -> Array:
     """Where to run the engine next: three quarters from the posterior, a quarter from its wider surroundings."""
-    u, score = _cloud(likelihood, dimensions, generator)
+    u, score = cloud
     close = _resampled(score, max(2.0, _temperature(score, 200)), size - size // 4, generator)
     wide = _resampled(score, max(8.0, 4 * _temperature(score, 200)), size // 4, generator)
     chosen = u[np.concatenate([close, wide])][:, :dimensions]
     return _folded(chosen + generator.normal(0, 0.01, chosen.shape))
 
 
-def _sample(likelihood: Likelihood, dimensions: int, generator: np.random.Generator) -> Array:
+def _sample(likelihood: Likelihood, cloud: Cloud, generator: np.random.Generator) -> Array:
     """Samples of the posterior: walkers that start all over it, so that none of its parts is missed."""
     import emcee
 
-    u, score = _cloud(likelihood, dimensions, generator)
+    u, score = cloud
     start = u[_resampled(score, _temperature(score, 4 * WALKERS), WALKERS, generator)]
     start = _folded(start + generator.normal(0, 1e-4, start.shape))
 
