@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 from plategait.errors import InputError
 from plategait.model import Model, quantity_of
 from plategait.output import whole_file
-from plategait.scenario import Scenario
+from plategait.scenario import Scenario, read_toml
 from plategait.units import Quantity, show
 
 CONFIDENCE = 0.95
@@ -61,7 +60,6 @@ class Fragment:
     correlation: NDArray[np.float64] | None = None
     confidence: float = CONFIDENCE
     source: str = ""
-    remarks: Mapping[str, str] = field(default_factory=dict)
 
     def apply(self, scenario: Scenario) -> Scenario:
         """Scenario with the measured values."""
@@ -106,9 +104,7 @@ def fragment_text(fragment: Fragment) -> str:
         lines += ["", f"[{section}]"]
         for name, m in fragment.parameters.items():
             if name.startswith(f"{section}."):
-                remark = fragment.remarks.get(name, "")
-                text = _literal(name, m.value)
-                lines.append(f"{name.partition('.')[2]} = {text}" + (f"  # {remark}" if remark else ""))
+                lines.append(f"{name.partition('.')[2]} = {_literal(name, m.value)}")
     lines += ["", "[uncertainty]", f"confidence = {fragment.confidence:g}"]
     if fragment.correlation is not None:
         lines.append(f"between = [{', '.join(_quoted(n) for n in fragment.parameters)}]")
@@ -138,14 +134,7 @@ def read_fragment(path: Path | str, field: str = "--with") -> Fragment:
     InputError
         When the file cannot be read, is no TOML, or names what no scenario has.
     """
-    path = Path(path)
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(field, str(path), f"TOML ({error})", _HINT) from None
-    except (OSError, ValueError):
-        raise InputError(field, str(path), "a fragment file that can be read", _HINT) from None
+    data, text = read_toml(path, field, "a fragment file that can be read", _HINT)
     uncertainty = data.pop("uncertainty", {})
     named = {f"{section}.{name}": value for section, table in data.items() for name, value in _items(section, table)}
     if not named:

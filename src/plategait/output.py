@@ -11,6 +11,8 @@ from pathlib import Path
 
 from plategait.errors import InputError
 
+PICTURES = (".png", ".pdf", ".svg")
+
 
 def check_writable(path: Path | str, suffixes: Sequence[str], field: str = "output") -> Path:
     """Path that can be written, or an error before any work is lost.
@@ -42,6 +44,19 @@ def check_writable(path: Path | str, suffixes: Sequence[str], field: str = "outp
         works = folder / f"result{path.suffix}"
         raise InputError(field, got, "a name that the file system takes", str(works)) from None
     return path
+
+
+def check_outputs(*outputs: tuple[Path | None, Sequence[str], str]) -> None:
+    """Refuse files that cannot be written before any work is done: (path or None, suffixes, option) of each.
+
+    Raises
+    ------
+    InputError
+        As `check_writable`.
+    """
+    for path, suffixes, option in outputs:
+        if path is not None:
+            check_writable(path, suffixes, option)
 
 
 @contextmanager

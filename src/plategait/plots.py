@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plategait import observables
-from plategait.output import whole_file
+from plategait.output import PICTURES, whole_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from plategait.curve import Curve
     from plategait.sheet import Sheet
     from plategait.simulation import Simulation
-
-SUFFIXES = (".png", ".pdf", ".svg")
 
 # Okabe and Ito's colours, told apart by colour-blind readers and in grey.
 BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#7F7F7F"
@@ -37,7 +35,7 @@ def save(figure: Figure, path: Path | str) -> None:
     InputError
         When the file cannot be written or has another suffix.
     """
-    with whole_file(path, SUFFIXES, "plot") as temporary:
+    with whole_file(path, PICTURES, "plot") as temporary:
         figure.savefig(temporary, dpi=160)
 
 

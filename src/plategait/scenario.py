@@ -122,21 +122,26 @@ def read_scenario(path: Path | str) -> Scenario:
     InputError
         When the file cannot be read, is no TOML, or a field is not as it must be.
     """
-    path = Path(path)
+    hint = "plategait scenario --print cheese > cheese.toml"
+    data, _ = read_toml(path, "scenario", "a scenario file or a preset's name", hint)
+    return Scenario(**_resolve_files(data, Path(path).parent))
+
+
+def read_toml(path: Path | str, field: str, allowed: str, hint: str) -> tuple[dict[str, Any], str]:
+    """Contents of a TOML file, and its text.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, which must be `allowed`, or is no TOML.
+    """
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+        text = Path(path).read_text(encoding="utf-8-sig")
+        return tomllib.loads(text), text
     except tomllib.TOMLDecodeError as error:
-        raise InputError(
-            "scenario", str(path), f"TOML ({error})", "plategait scenario --print cheese > cheese.toml"
-        ) from None
+        raise InputError(field, str(path), f"TOML ({error})", hint) from None
     except (OSError, ValueError):
-        raise InputError(
-            "scenario",
-            str(path),
-            "a scenario file or a preset's name",
-            "plategait scenario --print cheese > cheese.toml",
-        ) from None
-    return Scenario(**_resolve_files(data, path.parent))
+        raise InputError(field, str(path), allowed, hint) from None
 
 
 def _resolve_files(data: dict[str, Any], folder: Path) -> dict[str, Any]:

@@ -69,7 +69,7 @@ def test_a_run_s_plot_marks_its_failure(tmp_path):
     dashed = [line for line in figure.axes[0].get_lines() if len(set(line.get_xdata())) == 1]
     assert dashed[0].get_xdata()[0] == bad.failure.time
     assert not [line for line in good.axes[0].get_lines() if len(set(line.get_xdata())) == 1]
-    for suffix in plots.SUFFIXES:
+    for suffix in plots.PICTURES:
         plots.save(figure, tmp_path / f"run{suffix}")
         assert (tmp_path / f"run{suffix}").stat().st_size > 5000
 

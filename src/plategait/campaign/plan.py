@@ -14,7 +14,7 @@ from plategait.campaign.parameters import Parameter, Value, apply, find_paramete
 from plategait.errors import InputError
 from plategait.model import Model
 from plategait.presets import PRESETS, preset
-from plategait.scenario import Scenario, read_scenario, write_scenario
+from plategait.scenario import Scenario, read_scenario, read_toml, write_scenario
 from plategait.units import ANGULAR_FREQUENCY, Duration
 
 EXAMPLE = "examples/sweep.toml"
@@ -149,12 +149,7 @@ def read_sweep(path: Path | str) -> Sweep:
         When the file cannot be read, is no TOML, or a field is not as it must be.
     """
     path = Path(path)
-    try:
-        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except tomllib.TOMLDecodeError as error:
-        raise InputError("sweep", str(path), f"TOML ({error})", EXAMPLE) from None
-    except (OSError, ValueError):
-        raise InputError("sweep", str(path), "a sweep file", EXAMPLE) from None
+    data, _ = read_toml(path, "sweep", "a sweep file", EXAMPLE)
     given = data.get("scenario")
     if isinstance(given, str) and given not in PRESETS:
         data["scenario"] = read_scenario(path.parent / given)

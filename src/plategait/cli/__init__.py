@@ -20,7 +20,7 @@ from plategait.cli.sweep import plot_store, sweep
 from plategait.cli.thesis import thesis
 from plategait.cli.track import target, track
 from plategait.errors import InputError
-from plategait.output import check_writable
+from plategait.output import PICTURES, check_outputs
 from plategait.presets import PRESETS, preset
 from plategait.scenario import write_scenario
 from plategait.units import FREQUENCY
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from plategait.simulation import Simulation
 
 INTERRUPTED = 130
-PICTURES = (".png", ".pdf", ".svg")
 
 app = typer.Typer(
     add_completion=False, pretty_exceptions_enable=False,
@@ -81,7 +80,7 @@ def simulate(
     """Run one scenario: how fast it spins, in which gait, and whether it stays."""
     from plategait import simulation
 
-    _check_outputs(
+    check_outputs(
         (out, (".nc",), "--out"),
         (plot, PICTURES, "--plot"),
         (film, (".mp4",), "--film"),
@@ -134,7 +133,7 @@ def curve(
     """Spin rate over a range of plate frequencies, with gaits, failures and the Lorentz fit."""
     from plategait.curve import parse_frequencies, spin_curve, write_curve
 
-    _check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
+    check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
     chosen = options.build(
         scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
         friction_law=friction_law, duration=duration, dt=dt, measured=measured,
@@ -159,7 +158,7 @@ def fit(
     """Fit the Lorentz function (5.5) to a spin curve; failed points are left out."""
     from plategait.curve import fit_curve, fit_summary, read_curve
 
-    _check_outputs((plot, PICTURES, "--plot"))
+    check_outputs((plot, PICTURES, "--plot"))
     result = fit_curve(read_curve(curve_file))
     _plot_curve(result, plot)
     if as_json:
@@ -179,7 +178,7 @@ def modes(
     as_json: options.Json = False,
 ) -> None:
     """Free-vibration modes of a sheet; the dish mode is the dissertation's natural frequency."""
-    _check_outputs((plot, PICTURES, "--plot"))
+    check_outputs((plot, PICTURES, "--plot"))
     chosen = options.build(scenario, sheet=sheet, natural_frequency=natural_frequency).sheet
     found = chosen.free_modes
     if plot:
@@ -238,13 +237,6 @@ app.command()(shoot)
 app.command()(sweep)
 app.command(name="plot")(plot_store)
 app.command()(thesis)
-
-
-def _check_outputs(*outputs: tuple[Path | None, tuple[str, ...], str]) -> None:
-    """Refuse files that cannot be written before any work is done."""
-    for path, suffixes, option in outputs:
-        if path is not None:
-            check_writable(path, suffixes, option)
 
 
 def _drawn(build: Callable[..., Scenario], draws: int, seed: int, engine: str) -> dict[str, float | int | None]:

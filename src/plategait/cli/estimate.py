@@ -11,7 +11,7 @@ import typer
 from plategait.cli import options, report
 from plategait.errors import InputError
 from plategait.outline import Disk
-from plategait.output import check_writable
+from plategait.output import PICTURES, check_outputs
 from plategait.scenario import Scenario
 from plategait.units import ANGLE, ANGULAR_FREQUENCY, PLATE_ANGLE, Quantity
 
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from plategait.estimate.result import Estimate
     from plategait.motion import PlateMotion
 
-PICTURES = (".png", ".pdf", ".svg")
 _MASS = Quantity("kg", "g", "13.6 g", above=0)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0)
 _TIME = Quantity("s", "s", "2 s", above=0)
@@ -80,9 +79,7 @@ def estimate(
     from plategait.curve import read_curve
     from plategait.estimate.result import measured_as
 
-    for path, suffixes, option in ((out, (".toml",), "--out"), (plot, PICTURES, "--plot")):
-        if path is not None:
-            check_writable(path, suffixes, option)
+    check_outputs((out, (".toml",), "--out"), (plot, PICTURES, "--plot"))
     base = _object(options.build(scenario, stroke=stroke, measured=measured), mass, radius)
     base = measured_as(base, duration=_TIME.read(duration, "--duration"),
                        slip_limit=_LENGTH.read(slip_limit, "--slip-limit"))  # fmt: skip

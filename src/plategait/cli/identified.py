@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Protocol
 import typer
 
 from plategait.cli import report
-from plategait.output import check_writable
+from plategait.output import PICTURES, check_outputs
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
     from plategait.fragment import Fragment
 
-PICTURES = (".png", ".pdf", ".svg")
 LENGTH = Quantity("m", "mm", "10 mm", above=0)
 TIME = Quantity("s", "s", "0.05 s")
 
@@ -36,12 +35,9 @@ class Result(Protocol):
         ...
 
 
-def check_outputs(out: Path | None, plot: Path | None) -> None:
-    """Refuse files that cannot be written before any work is done."""
-    if out:
-        check_writable(out, (".toml",), "--out")
-    if plot:
-        check_writable(plot, PICTURES, "--plot")
+def check_files(out: Path | None, plot: Path | None) -> None:
+    """Refuse a fragment or a picture that cannot be written before any work is done."""
+    check_outputs((out, (".toml",), "--out"), (plot, PICTURES, "--plot"))
 
 
 def between(start: str | None, end: str | None) -> tuple[float, float]:

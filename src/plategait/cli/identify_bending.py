@@ -49,7 +49,7 @@ def bending(
     as_json: options.Json = False,
 ) -> None:
     """Stiffness and damping of the bending joint from how a released strip sags."""
-    identified.check_outputs(out, plot)
+    identified.check_files(out, plot)
     from plategait.identify.bending import identify_bending
     from plategait.identify.markers import read_angles
     from plategait.identify.recording import Window

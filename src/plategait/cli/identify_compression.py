@@ -35,7 +35,7 @@ def compression(
     as_json: options.Json = False,
 ) -> None:
     """Stiffness and damping of the axial joint from displacement and force of a press."""
-    identified.check_outputs(out, plot)
+    identified.check_files(out, plot)
     from plategait.identify.compression import identify_compression, read_pressing
     from plategait.identify.recording import Window
 

@@ -27,7 +27,7 @@ def friction(
     as_json: options.Json = False,
 ) -> None:
     """Friction of an object on a plate that is slowly tilted: the angle at which it slips, and the slide after it."""
-    identified.check_outputs(out, plot)
+    identified.check_files(out, plot)
     from plategait.identify.friction import identify_friction
     from plategait.identify.tilt import read_tilt
 

@@ -44,7 +44,7 @@ def ring(
     as_json: options.Json = False,
 ) -> None:
     """Bending stiffness and damping from how a sheet, or a strip of it, rings after it was let go."""
-    identified.check_outputs(out, plot)
+    identified.check_files(out, plot)
     from plategait.identify.ring import identify_ring
     from plategait.identify.ring_recording import read_ring
 

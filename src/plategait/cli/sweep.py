@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from plategait.cli import options, report
-from plategait.output import check_writable
+from plategait.output import PICTURES, check_writable
 
 if TYPE_CHECKING:
     from plategait.campaign.opened import Campaign
 
-PICTURES = (".png", ".pdf", ".svg")
 INTERRUPTED = 130
 
 

@@ -11,7 +11,7 @@ import typer
 
 from plategait.cli import options, report
 from plategait.errors import InputError
-from plategait.output import check_writable
+from plategait.output import check_outputs, check_writable
 from plategait.units import FREQUENCY, Quantity
 
 if TYPE_CHECKING:
@@ -78,13 +78,7 @@ def track(
     as_json: options.Json = False,
 ) -> None:
     """Spin rate of an object on the plate from a video: by its two markers, its texture or its outline."""
-    for path, suffixes, option in (
-        (preview, _FILMS, "--preview"),
-        (out, (".csv",), "--out"),
-        (curve, (".csv",), "--curve"),
-    ):
-        if path:
-            check_writable(path, suffixes, option)
+    check_outputs((preview, _FILMS, "--preview"), (out, (".csv",), "--out"), (curve, (".csv",), "--curve"))
     require_opencv()
     if cantilever:
         return _cantilever(video, fps, seconds, link_length, out, as_json)

@@ -50,12 +50,6 @@ class Parameter:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
 
-    def narrowed(self, low: float, high: float) -> Parameter:
-        """Same parameter with another prior."""
-        if not low < high:
-            raise InputError(self.name, f"{low:g} to {high:g}", "a range that rises", f"{self.low:g} to {self.high:g}")
-        return Parameter(self.name, low, high, self.logarithmic, self.unit, self.scale)
-
 
 NATURAL_FREQUENCY = Parameter("natural_frequency", 0.8 * math.pi, 45 * math.pi, True, "π rad/s", math.pi)
 """ω_n, set by scaling k_b. The source's objects lie between 1.4π and 33π."""
