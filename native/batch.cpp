@@ -3,7 +3,9 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -57,29 +59,42 @@ bool run_batch(const Batch<T>& batch, const std::string& level, int threads, con
   const std::int64_t n_blocks = (batch.n_runs + core.lanes - 1) / core.lanes;
   Progress progress;
   std::atomic<std::int64_t> next{0};
-  std::atomic<int> busy{0};
   std::mutex mutex;
   std::condition_variable idle;
+  std::exception_ptr failure;
+  int busy = 0;
   const auto work = [&] {
-    for (std::int64_t block; (block = next.fetch_add(1)) < n_blocks && !progress.cancelled.load();)
-      core.advance(batch, block * core.lanes, progress);
+    try {
+      for (std::int64_t block; !progress.cancelled && (block = next.fetch_add(1)) < n_blocks;)
+        core.advance(batch, block * core.lanes, progress);
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!failure) failure = std::current_exception();
+      progress.cancelled = true;
+    }
     const std::lock_guard<std::mutex> lock(mutex);
     if (--busy == 0) idle.notify_one();
   };
   const int n_threads = static_cast<int>(threads < n_blocks ? threads : n_blocks);
-  std::vector<std::thread> pool;
-  busy = n_threads;
-  for (int i = 0; i < n_threads; i++) pool.emplace_back(work);
-  {
-    std::unique_lock<std::mutex> lock(mutex);
-    while (busy > 0) {
-      idle.wait_for(lock, std::chrono::milliseconds(50), [&] { return busy == 0; });
-      lock.unlock();
-      if (!poll(progress.steps.load())) progress.cancelled = true;
-      lock.lock();
+  std::vector<std::jthread> pool;  // joined at the end of this function, however it ends
+  pool.reserve(static_cast<std::size_t>(n_threads));
+  std::unique_lock<std::mutex> lock(mutex);
+  while (static_cast<int>(pool.size()) < n_threads) {
+    try {
+      pool.emplace_back(work);
+      busy++;
+    } catch (const std::exception&) {  // those that could be started do the work of all
+      if (pool.empty()) throw std::bad_alloc();
+      break;
     }
   }
-  for (std::thread& thread : pool) thread.join();
+  while (busy > 0) {
+    idle.wait_for(lock, std::chrono::milliseconds(50), [&] { return busy == 0; });
+    lock.unlock();
+    if (!poll(progress.steps.load())) progress.cancelled = true;
+    lock.lock();
+  }
+  if (failure) std::rethrow_exception(failure);
   return !progress.cancelled;
 }
 

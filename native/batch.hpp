@@ -18,8 +18,9 @@ struct Batch {
   int n_terms;
   const int* term_dof;             // [n_terms]
   const double* terms;             // [n_terms][amplitude, frequency, phase][n_runs]
-  int n_knots;
-  const double* table;             // [n_knots][12][n_runs]
+  const double* knots;             // [all knots of all tables][12], shared by the runs; null where no run has a table
+  const std::int64_t* first_knot;  // [n_runs] where the table of each run begins
+  const std::int64_t* n_knots;     // [n_runs] 2 or more
   const std::int64_t* steps;       // [n_runs] steps to take
   const std::int64_t* stride;      // [n_runs] steps between samples
   const std::int64_t* thinning;    // [n_runs] samples between snapshots, 0 for none
@@ -38,7 +39,7 @@ struct Progress {
 };
 
 /// Advance the block of runs that begins at `first`. One specialisation per instruction set, each compiled in a
-/// translation unit of its own.
+/// translation unit of its own. Throws std::bad_alloc where there is no memory for the block.
 template <class Level, class T>
 void advance_block(const Batch<T>& batch, std::int64_t first, Progress& progress);
 

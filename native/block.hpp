@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 #include "batch.hpp"
 #include "lanes.hpp"
@@ -17,7 +18,8 @@ template <class R>
 struct Scratch {
   R* data;
   explicit Scratch(std::size_t n) : data(static_cast<R*>(std::aligned_alloc(alignof(R) < 64 ? 64 : alignof(R), (n * sizeof(R) + 127) / 128 * 128 + 128))) {
-    if (data) std::memset(static_cast<void*>(data), 0, n * sizeof(R));
+    if (!data) throw std::bad_alloc();
+    std::memset(static_cast<void*>(data), 0, n * sizeof(R));
   }
   ~Scratch() { std::free(data); }
   Scratch(const Scratch&) = delete;
@@ -33,6 +35,8 @@ struct FlushDenormals {
 #endif
 };
 
+constexpr std::int64_t NODE_STEPS_BETWEEN_LOOKS = 20'000;
+
 template <class Level, class T>
 struct Block {
   static constexpr int W = lanes_of<Level, T>;
@@ -43,7 +47,7 @@ struct Block {
   const std::int64_t first;
   const int used;  // lanes that carry a run; the others repeat the first and are thrown away
   const int n_nodes;
-  Scratch<R> nodes, table;
+  Scratch<R> nodes;
   Scratch<Term<R>> terms;
   R parameter[N_PARAMETERS];
   D time_step, time;
@@ -55,10 +59,9 @@ struct Block {
 
   Block(const Batch<T>& b, std::int64_t start)
       : batch(b), first(start), used(static_cast<int>(b.n_runs - start < W ? b.n_runs - start : W)),
-        n_nodes(b.topology.n_nodes), nodes(9 * static_cast<std::size_t>(n_nodes)),
-        table(static_cast<std::size_t>(b.n_knots) * 12), terms(static_cast<std::size_t>(b.n_terms)),
+        n_nodes(b.topology.n_nodes), nodes(9 * static_cast<std::size_t>(n_nodes)), terms(static_cast<std::size_t>(b.n_terms)),
         state{{nodes.data, 1}, {nodes.data + 3 * n_nodes, 1}, {nodes.data + 6 * n_nodes, 1}},
-        trajectory{b.n_terms, b.n_knots, b.term_dof, terms.data, table.data} {
+        trajectory{b.n_terms, b.term_dof, terms.data, b.knots, D(0.0), D(1.0)} {
     for (int q = 0; q < W; q++) load_run(q);
   }
 
@@ -74,7 +77,10 @@ struct Block {
       terms.data[j].frequency.v[q] = batch.terms[(3 * j + 1) * n + run];
       terms.data[j].phase.v[q] = batch.terms[(3 * j + 2) * n + run];
     }
-    for (std::int64_t j = 0; j < static_cast<std::int64_t>(batch.n_knots) * 12; j++) table.data[j].v[q] = static_cast<T>(batch.table[j * n + run]);
+    if (batch.knots) {
+      trajectory.first_knot.v[q] = static_cast<double>(batch.first_knot[run]);
+      trajectory.last_knot.v[q] = static_cast<double>(batch.n_knots[run] - 1);
+    }
     for (int j = 0; j < 3 * n_nodes; j++) {
       state.x.data[j].v[q] = static_cast<T>(batch.x0[run * 3 * n_nodes + j]);
       state.v.data[j].v[q] = static_cast<T>(batch.v0[run * 3 * n_nodes + j]);
@@ -138,7 +144,8 @@ struct Block {
         }
         sampled[q]++;
         picture(q);
-        next_sample[q] += batch.stride[run];
+        // A stride past the run's end must not count past the type's end.
+        next_sample[q] = batch.stride[run] > steps[q] - taken ? steps[q] + 1 : taken + batch.stride[run];
         clear_tally(q);
         // A sheet that moves faster than 1 km/s has diverged, whatever its numbers say later.
         const T speed2 = channel[KINETIC_ENERGY].v[q] / (T(0.5) * parameter[NODE_MASS].v[q] * n_nodes);
@@ -157,16 +164,26 @@ struct Block {
   void run(Progress& progress) {
     const FlushDenormals guard;
     while (any_running()) {
-      if (progress.cancelled.load(std::memory_order_relaxed)) return;
-      const std::int64_t stop = next_stop(), from = taken;
-      for (; taken < stop; taken++) {
-        time = time_step * D(static_cast<double>(taken));
-        advance_one_step(state, batch.topology, parameter, trajectory, time, tally);
+      const std::int64_t stop = next_stop();
+      while (taken < stop) {
+        if (progress.cancelled.load(std::memory_order_relaxed)) return;
+        advance_to(stop - taken > steps_between_looks() ? taken + steps_between_looks() : stop, progress);
       }
       time = time_step * D(static_cast<double>(taken));
       sample();
-      progress.steps.fetch_add((stop - from) * used, std::memory_order_relaxed);
     }
+  }
+
+  /// Steps of about a millisecond: so often it is asked whether to go on, however far apart the samples.
+  std::int64_t steps_between_looks() const { return n_nodes < NODE_STEPS_BETWEEN_LOOKS ? NODE_STEPS_BETWEEN_LOOKS / n_nodes : 1; }
+
+  void advance_to(std::int64_t end, Progress& progress) {
+    const std::int64_t from = taken;
+    for (; taken < end; taken++) {
+      time = time_step * D(static_cast<double>(taken));
+      advance_one_step(state, batch.topology, parameter, trajectory, time, tally);
+    }
+    progress.steps.fetch_add((taken - from) * used, std::memory_order_relaxed);
   }
 };
 

@@ -163,15 +163,11 @@ template <int W, class L>
 PLATEGAIT_HD LaneIndex<W, L> index_of(Lanes<double, W, L> a) {
   return {__builtin_convertvector(a.v, typename LaneIndex<W, L>::V)};
 }
-template <int W, class L>
-PLATEGAIT_HD LaneIndex<W, L> smaller(LaneIndex<W, L> a, int b) {
-  const typename LaneIndex<W, L>::V limit = b - typename LaneIndex<W, L>::V{};
-  return {a.v < limit ? a.v : limit};
-}
+/// Each lane looks into its own row of the one table that all share.
 template <class T, int W, class L>
-PLATEGAIT_HD Lanes<T, W, L> look_up(const Lanes<T, W, L>* table, LaneIndex<W, L> index, int columns, int column) {
+PLATEGAIT_HD Lanes<T, W, L> look_up(const double* table, LaneIndex<W, L> index, int columns, int column, Lanes<T, W, L>) {
   Lanes<T, W, L> y;
-  for (int q = 0; q < W; q++) y.v[q] = table[index.v[q] * columns + column].v[q];
+  for (int q = 0; q < W; q++) y.v[q] = static_cast<T>(table[static_cast<std::int64_t>(index.v[q]) * columns + column]);
   return y;
 }
 

@@ -1,9 +1,13 @@
-// The native module: arrays in, arrays out. Shapes are checked here, meaning in Python.
+// The native module: arrays in, arrays out. Shapes and ranges are checked here, so that no call can reach outside an
+// array; meaning is checked in Python.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
+#include <climits>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -12,6 +16,7 @@
 namespace nb = nanobind;
 using namespace nb::literals;
 using plategait::Batch;
+using plategait::Topology;
 
 namespace {
 
@@ -20,56 +25,91 @@ using Array = nb::ndarray<const T, nb::c_contig, nb::device::cpu>;
 template <class T>
 using Output = nb::ndarray<T, nb::c_contig, nb::device::cpu>;
 
+// Node vectors are addressed by an int.
+constexpr std::size_t MOST_NODES = INT_MAX / 9;
+
+[[noreturn]] void refuse(const std::string& what) { throw nb::value_error(what.c_str()); }
+
 template <class A>
-auto pointer(const A& array, std::size_t size, const char* name) {
-  if (array.size() != size)
-    throw nb::value_error((std::string(name) + " has " + std::to_string(array.size()) + " numbers, not " + std::to_string(size)).c_str());
+auto sized(const A& array, std::size_t size, const char* name) {
+  if (array.size() != size) refuse(std::string(name) + " has " + std::to_string(array.size()) + " numbers, not " + std::to_string(size));
   return array.data();
 }
 
-/// Run one batch at the precision of `samples`. Raises KeyboardInterrupt (or what `progress` raises) midway.
-template <class T>
-void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Array<int> cells, Array<double> rest,
-             Array<double> mobility, std::vector<bool> features, Array<double> parameters, Array<int> term_dof, Array<double> terms,
-             Array<double> table, Array<std::int64_t> steps, Array<std::int64_t> stride, Array<std::int64_t> thinning,
-             Array<double> x0, Array<double> v0, Output<T> samples, Output<float> snapshots, Output<double> x1,
-             Output<double> v1, Output<std::int64_t> steps_done, const std::string& level, int threads, nb::object progress) {
-  const std::size_t n_nodes = mobility.size(), n_runs = steps.size(), n_terms = term_dof.size();
-  if (n_nodes == 0 || n_runs == 0) throw nb::value_error("an empty batch");
-  const std::size_t n_lines = line_start.size() - 1, vectors = n_runs * n_nodes * 3;
-  for (std::size_t j = 0; j < line_nodes.size(); j++)
-    if (line_nodes.data()[j] < 0 || static_cast<std::size_t>(line_nodes.data()[j]) >= n_nodes) throw nb::value_error("line_nodes out of range");
-  for (std::size_t j = 0; j < cells.size(); j++)
-    if (cells.data()[j] < 0 || static_cast<std::size_t>(cells.data()[j]) >= n_nodes) throw nb::value_error("cells out of range");
-  for (std::size_t j = 0; j < n_terms; j++)
-    if (term_dof.data()[j] < 0 || term_dof.data()[j] >= plategait::DEGREES_OF_FREEDOM) throw nb::value_error("term_dof out of range");
-  for (std::size_t j = 0; j < n_runs; j++)
-    if (stride.data()[j] < 1) throw nb::value_error("stride below 1");
-  if (static_cast<std::size_t>(line_start.data()[n_lines]) != line_nodes.size()) throw nb::value_error("line_start does not cover line_nodes");
-  const std::size_t n_knots = table.size() / (12 * n_runs);
-  Batch<T> batch{};
-  batch.topology = {static_cast<int>(n_nodes), static_cast<int>(n_lines), n_axial_lines, static_cast<int>(cells.size() / 4),
-                    line_start.data(), line_nodes.data(), cells.data(), pointer(rest, 2 * n_nodes, "rest"), mobility.data(), {features.at(0), features.at(1), features.at(2), features.at(3)}};
-  batch.n_runs = static_cast<std::int64_t>(n_runs);
-  batch.parameters = pointer(parameters, plategait::N_PARAMETERS * n_runs, "parameters");
-  batch.n_terms = static_cast<int>(n_terms);
-  batch.term_dof = term_dof.data();
-  batch.terms = pointer(terms, 3 * n_terms * n_runs, "terms");
-  batch.n_knots = static_cast<int>(n_knots);
-  batch.table = pointer(table, 12 * n_knots * n_runs, "table");
-  batch.steps = steps.data();
-  batch.stride = pointer(stride, n_runs, "stride");
-  batch.thinning = pointer(thinning, n_runs, "thinning");
-  batch.x0 = pointer(x0, vectors, "x0");
-  batch.v0 = pointer(v0, vectors, "v0");
-  batch.max_samples = static_cast<std::int64_t>(samples.size() / (n_runs * plategait::N_CHANNELS));
-  batch.max_snapshots = static_cast<std::int64_t>(snapshots.size() / vectors);
-  batch.samples = samples.data();
-  batch.snapshots = snapshots.data();
-  batch.x1 = pointer(x1, vectors, "x1");
-  batch.v1 = pointer(v1, vectors, "v1");
-  batch.steps_done = pointer(steps_done, n_runs, "steps_done");
+/// Rows of `row` numbers each that an array holds.
+template <class A>
+std::size_t rows_of(const A& array, std::size_t row, const char* name) {
+  if (array.size() % row != 0) refuse(std::string(name) + " is no multiple of " + std::to_string(row) + " numbers");
+  return array.size() / row;
+}
 
+/// Numbers that all lie in [low, high).
+template <class A>
+auto within(const A& array, std::int64_t low, std::int64_t high, const char* name) {
+  for (std::size_t j = 0; j < array.size(); j++)
+    if (array.data()[j] < low || array.data()[j] >= high) refuse(std::string(name) + " out of range");
+  return array.data();
+}
+
+const double* finite(const Array<double>& array, const char* name) {
+  for (std::size_t j = 0; j < array.size(); j++)
+    if (!std::isfinite(array.data()[j])) refuse(std::string(name) + " not finite");
+  return array.data();
+}
+
+/// A parameter that the core divides by.
+void check_positive(const double* parameters, int which, std::size_t n_runs) {
+  for (std::size_t j = 0; j < n_runs; j++)
+    if (!(parameters[static_cast<std::size_t>(which) * n_runs + j] > 0)) refuse(std::string(plategait::parameter_names[which]) + " not above 0");
+}
+
+Topology topology_of(const Array<int>& line_start, const Array<int>& line_nodes, int n_axial_lines, const Array<int>& cells,
+                     const Array<double>& rest, const Array<double>& mobility, const std::vector<bool>& features) {
+  const std::size_t n_nodes = mobility.size();
+  if (n_nodes == 0 || n_nodes > MOST_NODES) refuse("no nodes, or too many");
+  if (line_start.size() == 0 || line_start.size() > INT_MAX || line_nodes.size() > INT_MAX) refuse("line_start is empty, or too long");
+  const int n_lines = static_cast<int>(line_start.size() - 1), last = static_cast<int>(line_nodes.size());
+  const int* start = line_start.data();
+  if (start[0] != 0 || start[n_lines] != last) refuse("line_start does not cover line_nodes");
+  for (int i = 0; i < n_lines; i++)
+    if (start[i] >= start[i + 1]) refuse("line_start does not rise");
+  if (n_axial_lines < 0 || n_axial_lines > n_lines) refuse("n_axial_lines out of range");
+  const std::size_t n_cells = rows_of(cells, 4, "cells");
+  if (cells.size() > INT_MAX) refuse("too many cells");
+  if (features.size() != 4) refuse("features has " + std::to_string(features.size()) + " entries, not 4");
+  const auto nodes = static_cast<std::int64_t>(n_nodes);
+  sized(rest, 2 * n_nodes, "rest");
+  return {static_cast<int>(n_nodes), n_lines, n_axial_lines, static_cast<int>(n_cells), start,
+          within(line_nodes, 0, nodes, "line_nodes"), within(cells, 0, nodes, "cells"), finite(rest, "rest"),
+          finite(mobility, "mobility"), {features[0], features[1], features[2], features[3]}};
+}
+
+/// Put the table of each run into the batch: where it begins among the shared knots, and how many it has.
+template <class T>
+void share_knots(Batch<T>& batch, const Array<double>& knots, const Array<std::int64_t>& first_knot, const Array<std::int64_t>& n_knots) {
+  const std::size_t rows = rows_of(knots, 12, "knots");
+  if (rows == 0) return;
+  const auto n_runs = static_cast<std::size_t>(batch.n_runs), most = std::min<std::size_t>(rows, INT_MAX);
+  sized(first_knot, n_runs, "first_knot");
+  sized(n_knots, n_runs, "n_knots");
+  within(first_knot, 0, static_cast<std::int64_t>(most), "first_knot");
+  within(n_knots, 2, static_cast<std::int64_t>(most) + 1, "n_knots");
+  for (std::size_t j = 0; j < n_runs; j++)
+    if (first_knot.data()[j] + n_knots.data()[j] > static_cast<std::int64_t>(most)) refuse("n_knots past the end of knots");
+  check_positive(batch.parameters, plategait::TABLE_STEP, n_runs);
+  batch.knots = finite(knots, "knots");
+  batch.first_knot = first_knot.data();
+  batch.n_knots = n_knots.data();
+}
+
+void check_target(const std::string& level, int threads) {
+  if (threads < 1) refuse("threads below 1");
+  const std::vector<std::string> levels = plategait::available_levels();
+  if (std::find(levels.begin(), levels.end(), level) == levels.end()) refuse("level unknown, or not of this processor");
+}
+
+template <class T>
+bool run_while_wanted(const Batch<T>& batch, const std::string& level, int threads, const nb::object& progress) {
   bool failed = false;
   nb::gil_scoped_release release;
   const auto poll = [&](std::int64_t done) {
@@ -82,16 +122,59 @@ void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Ar
     }
     return !failed;
   };
-  const bool finished = plategait::run_batch(batch, level, threads, poll);
-  nb::gil_scoped_acquire acquire;
-  if (!finished) throw nb::python_error();
+  return plategait::run_batch(batch, level, threads, poll);
+}
+
+/// Run one batch at the precision of `samples`. Raises KeyboardInterrupt (or what `progress` raises) midway, ValueError
+/// for arrays that do not belong together, MemoryError where the core finds no memory.
+template <class T>
+void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Array<int> cells, Array<double> rest,
+             Array<double> mobility, std::vector<bool> features, Array<double> parameters, Array<int> term_dof, Array<double> terms,
+             Array<double> knots, Array<std::int64_t> first_knot, Array<std::int64_t> n_knots, Array<std::int64_t> steps,
+             Array<std::int64_t> stride, Array<std::int64_t> thinning, Array<double> x0, Array<double> v0, Output<T> samples,
+             Output<float> snapshots, Output<double> x1, Output<double> v1, Output<std::int64_t> steps_done,
+             const std::string& level, int threads, nb::object progress) {
+  Batch<T> batch{};
+  batch.topology = topology_of(line_start, line_nodes, n_axial_lines, cells, rest, mobility, features);
+  const std::size_t n_runs = steps.size(), n_terms = term_dof.size(), vectors = n_runs * mobility.size() * 3;
+  if (n_runs == 0) refuse("no runs");
+  if (n_terms > INT_MAX / 3) refuse("too many terms");
+  sized(parameters, plategait::N_PARAMETERS * n_runs, "parameters");
+  sized(terms, 3 * n_terms * n_runs, "terms");
+  sized(stride, n_runs, "stride");
+  sized(thinning, n_runs, "thinning");
+  sized(x0, vectors, "x0");
+  sized(v0, vectors, "v0");
+  batch.n_runs = static_cast<std::int64_t>(n_runs);
+  batch.parameters = finite(parameters, "parameters");
+  check_positive(batch.parameters, plategait::TIME_STEP, n_runs);
+  batch.n_terms = static_cast<int>(n_terms);
+  batch.term_dof = within(term_dof, 0, plategait::DEGREES_OF_FREEDOM, "term_dof");
+  batch.terms = finite(terms, "terms");
+  share_knots(batch, knots, first_knot, n_knots);
+  batch.steps = within(steps, 0, INT64_MAX, "steps");
+  batch.stride = within(stride, 1, INT64_MAX, "stride");
+  batch.thinning = within(thinning, 0, INT64_MAX, "thinning");
+  batch.x0 = finite(x0, "x0");
+  batch.v0 = finite(v0, "v0");
+  batch.max_samples = static_cast<std::int64_t>(rows_of(samples, n_runs * plategait::N_CHANNELS, "samples"));
+  batch.max_snapshots = static_cast<std::int64_t>(rows_of(snapshots, vectors, "snapshots"));
+  batch.samples = samples.data();
+  batch.snapshots = snapshots.data();
+  batch.x1 = sized(x1, vectors, "x1");
+  batch.v1 = sized(v1, vectors, "v1");
+  batch.steps_done = sized(steps_done, n_runs, "steps_done");
+  check_target(level, threads);
+  if (!run_while_wanted(batch, level, threads, progress)) throw nb::python_error();
 }
 
 template <class T, class Module>
 void define_advance(Module& module, const char* name) {
+  // An output of another type or layout would be filled in a copy, and lost: it is refused.
   module.def(name, &advance<T>, "line_start"_a, "line_nodes"_a, "n_axial_lines"_a, "cells"_a, "rest"_a, "mobility"_a, "features"_a,
-             "parameters"_a, "term_dof"_a, "terms"_a, "table"_a, "steps"_a, "stride"_a, "thinning"_a, "x0"_a, "v0"_a, "samples"_a,
-             "snapshots"_a, "x1"_a, "v1"_a, "steps_done"_a, "level"_a, "threads"_a, "progress"_a.none());
+             "parameters"_a, "term_dof"_a, "terms"_a, "knots"_a, "first_knot"_a, "n_knots"_a, "steps"_a, "stride"_a, "thinning"_a,
+             "x0"_a, "v0"_a, "samples"_a.noconvert(), "snapshots"_a.noconvert(), "x1"_a.noconvert(), "v1"_a.noconvert(),
+             "steps_done"_a.noconvert(), "level"_a, "threads"_a, "progress"_a.none());
 }
 
 }  // namespace

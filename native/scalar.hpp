@@ -57,12 +57,11 @@ PLATEGAIT_HD double narrow_to(double a, double) { return a; }
 PLATEGAIT_HD double widen(float a) { return a; }
 PLATEGAIT_HD double widen(double a) { return a; }
 PLATEGAIT_HD int index_of(double a) { return static_cast<int>(a); }
-PLATEGAIT_HD int smaller(int a, int b) { return a < b ? a : b; }
 
-/// Row `index` of a table with `columns` numbers per row, at `column`.
+/// Row `index` of a table with `columns` numbers per row, at `column`. The last argument says which type is wanted.
 template <class R>
-PLATEGAIT_HD R look_up(const R* table, int index, int columns, int column) {
-  return table[index * columns + column];
+PLATEGAIT_HD R look_up(const double* table, int index, int columns, int column, R) {
+  return static_cast<R>(table[static_cast<long long>(index) * columns + column]);
 }
 
 }  // namespace plategait

@@ -61,13 +61,14 @@ struct Term {
 };
 
 /// The plate's trajectory: sines, each on one degree of freedom, and optionally a table of knots
-/// (position, speed) every TABLE_STEP, joined by cubic Hermite pieces.
+/// (position, speed) every TABLE_STEP, joined by cubic Hermite pieces. Past its last knot the plate stays there.
 template <class R>
 struct Trajectory {
-  int n_terms, n_knots;
+  int n_terms;
   const int* term_dof;   // degree of freedom of each term, the same for every run
   const Term<R>* terms;
-  const R* table;        // [knot][dof][position, speed]
+  const double* knots;   // [knot][dof][position, speed] of all tables, shared by all runs; null where there is none
+  Wide<R> first_knot, last_knot;  // of the run's own table: its first among all knots, its last among its own
 };
 
 /// What the step adds up for the observables since the last sample.
@@ -95,15 +96,16 @@ PLATEGAIT_HD PlateMotion<R> move_plate(const Trajectory<R>& trajectory, const R*
     motion.position[d] += term.amplitude * wave.sine;
     motion.speed[d] += term.amplitude * narrow_to(term.frequency, R()) * number<R>(6.283185307179586) * wave.cosine;
   }
-  if (trajectory.n_knots > 1) {
+  if (trajectory.knots) {
     const R step = parameter[TABLE_STEP];
-    const Wide<R> knot = time / widen(step);
-    const Index<R> i = smaller(index_of(knot), trajectory.n_knots - 2);
-    const R s = narrow_to(knot - floor_of(knot), R());
+    const Wide<R> knot = smaller(time / widen(step), trajectory.last_knot);
+    const Wide<R> behind = smaller(floor_of(knot), trajectory.last_knot - Wide<R>(1.0));
+    const Index<R> row = index_of(trajectory.first_knot + behind);
+    const R s = narrow_to(knot - behind, R());
     const R one = number<R>(1), two = number<R>(2), three = number<R>(3), rest = one - s;
     for (int d = 0; d < DEGREES_OF_FREEDOM; d++) {
-      const R p0 = look_up(trajectory.table, i, 12, 2 * d), v0 = look_up(trajectory.table, i, 12, 2 * d + 1) * step;
-      const R p1 = look_up(trajectory.table, i, 12, 2 * d + 12), v1 = look_up(trajectory.table, i, 12, 2 * d + 13) * step;
+      const R p0 = look_up(trajectory.knots, row, 12, 2 * d, R()), v0 = look_up(trajectory.knots, row, 12, 2 * d + 1, R()) * step;
+      const R p1 = look_up(trajectory.knots, row, 12, 2 * d + 12, R()), v1 = look_up(trajectory.knots, row, 12, 2 * d + 13, R()) * step;
       motion.position[d] += (one + two * s) * rest * rest * p0 + s * rest * rest * v0 + s * s * (three - two * s) * p1 -
                             s * s * rest * v1;
       motion.speed[d] += (number<R>(6) * s * rest * (p1 - p0) + rest * (one - three * s) * v0 + s * (three * s - two) * v1) / step;

@@ -68,11 +68,14 @@ class Samples(Model):
                 )
         return self
 
-    def knots(self, step: float) -> NDArray[np.float64]:
-        """(n, 12) position and speed on each axis every `step` seconds, from a cubic spline, to a knot past the end."""
+    def knots(self, step: float, end: float = math.inf) -> NDArray[np.float64]:
+        """Position and speed on each axis every `step` seconds, from a cubic spline: (n, 12).
+
+        They reach a knot past `end` or past the last sample, whichever comes first.
+        """
         from scipy.interpolate import CubicSpline
 
-        time = np.arange(0, self.time[-1] + 2 * step, step)
+        time = np.arange(0, min(self.time[-1], end) + 2 * step, step)
         within = np.minimum(time, self.time[-1])
         table = np.zeros((len(time), 12))
         for d, axis in enumerate(AXES):

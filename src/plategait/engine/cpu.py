@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import plategait._native as _native  # pyright: ignore[reportMissingImports]
+from plategait.engine.memory import check_memory
 from plategait.engine.recording import Recording, Run
+from plategait.engine.trajectories import table_bytes, table_step, tables
 from plategait.lattice import Lattice
 from plategait.motion import AXES
 from plategait.scenario import Scenario
@@ -59,13 +61,18 @@ def run(
 
     Raises
     ------
+    InputError
+        When the runs need more memory than there is.
     KeyboardInterrupt
         When interrupted from the keyboard.
     """
+    batches = _batches(runs)
+    largest = max((_batch_bytes([runs[i] for i in group], precision) for group in batches), default=0.0)
+    check_memory(runs, len(_native.CHANNELS), largest)
     recordings: dict[int, Recording] = {}
     total = float(sum(r.steps for r in runs))
     done = 0.0
-    for group in _batches(runs):
+    for group in batches:
         members = [runs[i] for i in group]
         share = float(sum(r.steps for r in members))
 
@@ -86,10 +93,17 @@ def _batches(runs: Sequence[Run]) -> list[list[int]]:
         groups.setdefault(r.lattice.key, []).append(i)
     batches = []
     for group in groups.values():
-        largest = max(4 * len(_native.CHANNELS) * runs[i].steps / runs[i].stride for i in group)
+        largest = max(4 * len(_native.CHANNELS) * runs[i].samples for i in group)
         size = max(64, 64 * int(_LARGEST_RECORDING / (64 * largest)))
         batches += [group[i : i + size] for i in range(0, len(group), size)]
     return batches
+
+
+def _batch_bytes(runs: Sequence[Run], precision: Precision) -> float:
+    """Memory that a batch takes besides its recordings."""
+    sample, nodes = np.dtype(precision).itemsize * len(_native.CHANNELS), runs[0].lattice.n_nodes
+    samples, pictures = max(r.samples for r in runs), max(r.pictures for r in runs)
+    return len(runs) * (sample * samples + 12.0 * nodes * pictures + 96 * nodes) + table_bytes(runs)
 
 
 def parameters_of(scenario: Scenario) -> dict[str, float]:
@@ -118,14 +132,9 @@ def parameters_of(scenario: Scenario) -> dict[str, float]:
         "plate_half_width": scenario.plate.width / 2 if scenario.plate else _ENDLESS,
         "plate_height": motion.height,
         "ramp_duration": motion.ramp,
-        "table_step": _table_step(scenario),
+        "table_step": table_step(scenario),
         "time_step": scenario.dt,
     }
-
-
-def _table_step(scenario: Scenario) -> float:
-    samples = scenario.motion.samples
-    return 1.0 if samples is None else max(samples.finest_step / 2, 2 * scenario.dt)
 
 
 def _terms(runs: Sequence[Run]) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
@@ -140,18 +149,6 @@ def _terms(runs: Sequence[Run]) -> tuple[NDArray[np.int32], NDArray[np.float64]]
             free.remove(slot)
             numbers[slot, :, j] = values
     return np.array(slots, dtype=np.int32), numbers
-
-
-def _tables(runs: Sequence[Run]) -> NDArray[np.float64]:
-    """(n_knots, 12, n_runs) knots of the sampled trajectories; the last pose is kept."""
-    knots = [s.knots(_table_step(r.scenario)) if (s := r.scenario.motion.samples) else None for r in runs]
-    length = max((len(k) for k in knots if k is not None), default=0)
-    table = np.zeros((length, 12, len(runs)))
-    for j, k in enumerate(knots):
-        if k is not None:
-            table[: len(k), :, j] = k
-            table[len(k) :, :, j] = k[-1]
-    return table
 
 
 def _lines(lattice: Lattice) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
@@ -174,22 +171,22 @@ def _advance(
         any(row["contact_ramp"] for row in rows),
     ]
     term_dof, terms = _terms(runs)
+    knots, first_knot, n_knots = tables(runs)
     line_start, line_nodes = _lines(lattice)
     steps = np.array([r.steps for r in runs], dtype=np.int64)
     stride = np.array([r.stride for r in runs], dtype=np.int64)
     thinning = np.array([r.thinning for r in runs], dtype=np.int64)
-    n_samples = steps // stride + 1
-    n_snapshots = np.where(thinning > 0, (n_samples - 1) // np.maximum(thinning, 1) + 1, 0)
+    n_samples, n_snapshots = max(r.samples for r in runs), max(r.pictures for r in runs)
     x0, v0 = (np.stack(vectors) for vectors in zip(*(r.start() for r in runs), strict=True))
-    samples = np.full((n, int(n_samples.max()), len(_native.CHANNELS)), np.nan, dtype=precision)
-    snapshots = np.zeros((n, int(n_snapshots.max()), lattice.n_nodes, 3), dtype=np.float32)
+    samples = np.full((n, n_samples, len(_native.CHANNELS)), np.nan, dtype=precision)
+    snapshots = np.zeros((n, n_snapshots, lattice.n_nodes, 3), dtype=np.float32)
     x1, v1, steps_done = np.zeros_like(x0), np.zeros_like(x0), np.zeros(n, dtype=np.int64)
     getattr(_native, f"advance_{precision}")(
         line_start=line_start, line_nodes=line_nodes, n_axial_lines=len(lattice.axial_lines), cells=lattice.cells,
         rest=lattice.rest, mobility=lattice.mobility, features=features, parameters=parameters, term_dof=term_dof,
-        terms=terms, table=_tables(runs), steps=steps, stride=stride, thinning=thinning, x0=x0, v0=v0,
-        samples=samples, snapshots=snapshots, x1=x1, v1=v1, steps_done=steps_done, level=level,
-        threads=max(1, threads), progress=report,
+        terms=terms, knots=knots, first_knot=first_knot, n_knots=n_knots, steps=steps, stride=stride, thinning=thinning,
+        x0=x0, v0=v0, samples=samples, snapshots=snapshots, x1=x1, v1=v1, steps_done=steps_done, level=level,
+        threads=threads, progress=report,
     )  # fmt: skip
     recordings = []
     for j, r in enumerate(runs):

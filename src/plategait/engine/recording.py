@@ -52,16 +52,26 @@ class Run:
 
     @property
     def stride(self) -> int:
-        """Steps between samples."""
+        """Steps between samples: at the least the end is sampled."""
         interval = min(LONGEST_SAMPLE_INTERVAL, self.scenario.motion.period / SAMPLES_PER_PERIOD)
-        return max(1, round(interval / self.scenario.dt))
+        return max(1, min(round(interval / self.scenario.dt), self.steps))
 
     @property
     def thinning(self) -> int:
         """Samples between snapshots, 0 for none."""
         if self.snapshot_interval <= 0:
             return 0
-        return max(1, round(self.snapshot_interval / (self.stride * self.scenario.dt)))
+        return max(1, round(min(self.snapshot_interval / (self.stride * self.scenario.dt), self.samples)))
+
+    @property
+    def samples(self) -> int:
+        """Samples that a run to the end leaves."""
+        return self.steps // self.stride + 1
+
+    @property
+    def pictures(self) -> int:
+        """Snapshots that a run to the end leaves."""
+        return (self.samples - 1) // self.thinning + 1 if self.thinning else 0
 
     def start(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Node positions and velocities at the start: at rest, flat, where the plate carries the weight."""
