@@ -82,6 +82,11 @@ class Scenario(Model):
             )
         joints, sine = self.sheet.stable_time_step, self._step_of_fastest_sine
         largest, usual = min(joints, sine), self._usual_step
+        if self.duration / usual > MOST_STEPS and usual == sine:
+            fastest = self.motion.frequency * sine * MOST_STEPS / self.duration
+            raise InputError("motion.frequency", f"{self.motion.frequency:g} Hz",
+                             f"at most {fastest:.3g} Hz where {self.duration:g} s are simulated",
+                             f'"{min(24.0, 0.5 * fastest):.2g} Hz"')  # fmt: skip
         if self.duration / usual > MOST_STEPS:
             raise InputError("duration", f"{self.duration:g} s",
                              f"at most {MOST_STEPS * usual:.3g} s at a time step of {usual:.2g} s",
@@ -96,7 +101,8 @@ class Scenario(Model):
 
     @property
     def _step_of_fastest_sine(self) -> float:
-        return self.motion.shortest_period / STEPS_PER_SINE
+        # A plate that stands still has a period too, over which everything is measured.
+        return min(self.motion.shortest_period, self.motion.period) / STEPS_PER_SINE
 
     @property
     def _usual_step(self) -> float:

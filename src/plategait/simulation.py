@@ -27,6 +27,8 @@ ENGINES: tuple[Engine, ...] = ("cpu", "cpu64")
 START_SPREAD = 1e-4
 START_TURN = math.radians(1)
 
+MOST_THREADS = 1000
+
 # Time between the shapes that films and files are made of, s: a fifth of a fast plate's quarter period.
 FILM_INTERVAL = 2e-3
 
@@ -274,7 +276,7 @@ def simulate_all(
     Raises
     ------
     InputError
-        For an unknown engine, no scenario, or fewer than one repeat.
+        For an unknown engine, no scenario, a number out of range, or runs that need more memory than there is.
     KeyboardInterrupt
         When interrupted from the keyboard.
     """
@@ -282,9 +284,11 @@ def simulate_all(
 
     if engine not in ENGINES:
         raise InputError("engine", engine, f"one of {', '.join(ENGINES)}", "cpu")
-    for name, number, least in (("repeats", repeats, 1), ("seed", seed, 0)):
-        if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or not least <= number <= 10**6:
-            raise InputError(name, number, f"a whole number from {least} to a million", str(max(least, 4)))
+    whole = [("repeats", repeats, 1, 10**6), ("seed", seed, 0, 10**6)]
+    whole += [("threads", threads, 1, MOST_THREADS)] if threads is not None else []
+    for name, number, least, most in whole:
+        if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or not least <= number <= most:
+            raise InputError(name, number, f"a whole number from {least} to {most}", str(max(least, 4)))
     if not 0 <= snapshot_interval < math.inf:
         raise InputError("snapshot_interval", snapshot_interval, "a time in s, at least 0", "0.002")
     if not scenarios:

@@ -9,15 +9,21 @@ import pytest
 
 from plategait.engine import cpu
 from plategait.engine.recording import Run
+from plategait.motion import Samples
 from plategait.observables import rotation
 from plategait.outline import Rectangle
 from plategait.presets import preset
 
 CHEESE = preset("cheese").scenario.replace(duration=0.4)
+# Sampled trajectories of other lengths, ends and steps.
+SHAKES = [
+    Samples(time=tuple(end * i / 50 for i in range(51)), z=tuple(2e-4 * math.sin(i) for i in range(51)))
+    for end in (0.1, 0.5, 300.0)
+]
 
 
 def mixed_runs() -> list[Run]:
-    """Runs that differ in everything, lattices, steps and torsion among it."""
+    """Runs that differ in everything, lattices, steps, torsion and sampled trajectories among it."""
     runs = []
     for i in range(37):
         scenario = CHEESE.replace(
@@ -30,6 +36,8 @@ def mixed_runs() -> list[Run]:
                 "time_step": 1e-4 / (1 + i % 2),
             }
         )
+        if i % 4 == 0:
+            scenario = scenario.replace(**{"motion.samples": SHAKES[i % 3]})
         if i % 5 == 0:
             scenario = scenario.replace(**{"sheet.outline": Rectangle(length=0.05, width=0.03), "sheet.mass": 4e-3})
         runs.append(Run(scenario, offset=(1e-4 * i, 0.0, 0.01 * i)))
