@@ -2,12 +2,14 @@
 # make test   set up .venv, run the tests
 # make lint   ruff, pyright, import-linter
 # make bench  the speed report
+# make fuzz   thousands of random scenarios and commands: none may crash, hang or answer with nonsense
+# make sanitize   the engine's tests and random scenarios on a core that reports every wrong access
 
 PYTHON ?= python3
 BIN := .venv/bin
 SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 
-.PHONY: demo test lint bench clean always
+.PHONY: demo test lint bench fuzz sanitize clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
@@ -43,6 +45,29 @@ lint: .venv/installed-lint
 
 bench: .venv/installed
 	$(BIN)/python -m benchmarks
+
+fuzz: .venv/installed
+	$(BIN)/python -m benchmarks.fuzz --scenarios 12000 --commands 500 --seed 1
+
+# An environment of its own for the core with gcc's sanitizers, which borrows what .venv has installed. The sanitizers'
+# library must be loaded before Python; without leak checks, as an interpreter never frees all.
+SANITIZED := build/sanitize
+SANITIZERS = env LD_PRELOAD="$$(gcc -print-file-name=libasan.so) $$(gcc -print-file-name=libstdc++.so)" \
+	ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
+ENGINE_TESTS := tests/agreement/test_same_bits.py tests/unit/test_native.py tests/unit/test_engine.py \
+	tests/analytical/test_single_node.py tests/analytical/test_on_the_plate.py tests/analytical/test_joints.py
+
+$(SANITIZED)/installed: $(SOURCES) .venv/installed-test
+	$(BIN)/python -m venv --clear $(SANITIZED)
+	$(BIN)/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))' \
+	  > $$($(SANITIZED)/bin/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))')/borrowed.pth
+	$(SANITIZED)/bin/python -m pip install --quiet --disable-pip-version-check --no-deps \
+	  -C build-dir=build/sanitize-core -C cmake.define.PLATEGAIT_SANITIZE=ON --editable .
+	touch $@
+
+sanitize: $(SANITIZED)/installed
+	$(SANITIZERS) $(SANITIZED)/bin/python -m pytest $(ENGINE_TESTS)
+	$(SANITIZERS) $(SANITIZED)/bin/python -m benchmarks.fuzz --scenarios 500 --commands 0 --seed 2 --memory 0
 
 clean:
 	rm -rf .venv build out
