@@ -47,7 +47,7 @@ struct Block {
   const std::int64_t first;
   const int used;  // lanes that carry a run; the others repeat the first and are thrown away
   const int n_nodes;
-  Scratch<R> nodes;
+  Scratch<R> nodes, edge;
   Scratch<Term<R>> terms;
   R parameter[N_PARAMETERS];
   D time_step, time;
@@ -59,10 +59,12 @@ struct Block {
 
   Block(const Batch<T>& b, std::int64_t start)
       : batch(b), first(start), used(static_cast<int>(b.n_runs - start < W ? b.n_runs - start : W)),
-        n_nodes(b.topology.n_nodes), nodes(9 * static_cast<std::size_t>(n_nodes)), terms(static_cast<std::size_t>(b.n_terms)),
-        state{{nodes.data, 1}, {nodes.data + 3 * n_nodes, 1}, {nodes.data + 6 * n_nodes, 1}},
+        n_nodes(b.topology.n_nodes), nodes(9 * static_cast<std::size_t>(n_nodes)),
+        edge(b.topology.features.plate_edge ? 3 * static_cast<std::size_t>(n_nodes) : 0), terms(static_cast<std::size_t>(b.n_terms)),
+        state{{nodes.data, 1}, {nodes.data + 3 * n_nodes, 1}, {nodes.data + 6 * n_nodes, 1}, {edge.data, 1}},
         trajectory{b.n_terms, b.term_dof, terms.data, b.knots, D(0.0), D(1.0)} {
     for (int q = 0; q < W; q++) load_run(q);
+    lay_down(state, batch.topology, parameter, trajectory);
   }
 
   std::int64_t run_of(int q) const { return first + (q < used ? q : 0); }

@@ -92,6 +92,13 @@ template <class T, int W, class L>
 PLATEGAIT_HD Lanes<T, W, L> select(LaneMask<T, W, L> m, Lanes<T, W, L> yes, Lanes<T, W, L> no) {
   return m.v ? yes.v : no.v;
 }
+/// Whether a condition holds in any lane.
+template <class T, int W, class L>
+PLATEGAIT_HD bool any_of(LaneMask<T, W, L> m) {
+  typename LaneMask<T, W, L>::Integer any = 0;
+  for (int q = 0; q < W; q++) any |= m.v[q];
+  return any != 0;
+}
 template <class T, int W, class L>
 PLATEGAIT_HD Lanes<T, W, L> smaller(Lanes<T, W, L> a, Lanes<T, W, L> b) {
   return a.v < b.v ? a.v : b.v;

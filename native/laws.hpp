@@ -1,4 +1,4 @@
-// The laws of the sheet and the plate: one function per law, on numbers of any kind (see scalar.hpp, lanes.hpp).
+// The laws of the sheet: one function per law, on numbers of any kind (see scalar.hpp, lanes.hpp).
 // SI units throughout, except where (3.1) counts depth in millimetres.
 #pragma once
 
@@ -49,6 +49,14 @@ PLATEGAIT_HD Edge<R> edge_between(Vec3<R> x0, Vec3<R> v0, Vec3<R> x1, Vec3<R> v1
 template <class R>
 PLATEGAIT_HD Vec3<R> turning_rate(Edge<R> e) {
   return (e.inverse_length * e.inverse_length) * cross(e.along, e.rate);
+}
+
+/// Coefficient of an axial damper that is linearly implicit over the step for its own pair of nodes, N s/m.
+///
+/// Its force is then that of the rate at which the pair ends the step, were no other joint there.
+template <class R>
+PLATEGAIT_HD R implicit_damping(R c_c, R inverse_mass, R time_step) {
+  return c_c / (number<R>(1) + number<R>(2) * c_c * inverse_mass * time_step);
 }
 
 /// Axial Kelvin–Voigt joint (section 3.2.2): tension per unit of `along`, N/m. Adds the power it dissipates.
@@ -193,10 +201,15 @@ PLATEGAIT_HD R normal_force(R depth, R separating, R other, R inverse_mass, R ti
 
 // -------------------------------------------------------------------------------------------- friction
 
-/// Coefficient of (3.2): μ_s while slipping slower than V, μ_k at V and above.
+/// Slip speed that friction by (3.2) takes away, m/s: μ_s below V, μ_k at V and above.
+///
+/// `impulse` is the normal one over the step, per mass. A landing's is large enough to carry the slip past V within
+/// the step: what is left of the impulse then counts with μ_s.
 template <class R>
-PLATEGAIT_HD R friction_coefficient(R slip, R mu_s, R mu_k, R V) {
-  return select(slip < V, mu_s, mu_k);
+PLATEGAIT_HD R slip_lost(R slip, R impulse, R mu_s, R mu_k, R inverse_mu_k, R V) {
+  const R above = larger(slip - V, number<R>(0)), kinetic = mu_k * impulse;
+  const R rest = larger(impulse - above * inverse_mu_k, number<R>(0));
+  return select(kinetic < above, kinetic, above + mu_s * rest);
 }
 
 /// Smooth law of the source's solver: 0 → μ_s over V_s = 1/inverse_rise, μ_s → μ_k over V_d − V_s = 1/inverse_fall,
@@ -207,91 +220,6 @@ PLATEGAIT_HD R smooth_friction_coefficient(R slip, R mu_s, R mu_k, R V_s, R inve
   const R fall = smaller(larger((slip - V_s) * inverse_fall, number<R>(0)), number<R>(1));
   return mu_s * rise * rise * (number<R>(3) - number<R>(2) * rise) +
          (mu_k - mu_s) * fall * fall * (number<R>(3) - number<R>(2) * fall);
-}
-
-// --------------------------------------------------------------------------------------- plate motion
-
-template <class R>
-struct SineCosine {
-  R sine, cosine;
-};
-
-/// sin and cos of 2π·turns, for turns within ±1. Series on the eighth turn nearest zero.
-template <class R>
-PLATEGAIT_HD SineCosine<R> sine_cosine(R turns) {
-  // Fold to [−¼, ¼]: half a turn further, both change sign.
-  const R half = number<R>(0.5), quarter = number<R>(0.25), one = number<R>(1), zero = number<R>(0);
-  const R side = select(turns < zero, number<R>(-1), one);
-  R t = side * turns;
-  t = select(t > half, t - one, t);                // [−½, ½], odd reflection kept by `side`
-  const Mask<R> beyond = select(t < zero, zero - t, t) > quarter;
-  t = select(beyond, t - select(t < zero, number<R>(-0.5), half), t);
-  const R flip = select(beyond, number<R>(-1), one);
-  const R y = number<R>(6.283185307179586) * t, y2 = y * y;
-  R s = number<R>(-1.0 / 121645100408832000.0);
-  s = s * y2 + number<R>(1.0 / 355687428096000.0);
-  s = s * y2 + number<R>(-1.0 / 1307674368000.0);
-  s = s * y2 + number<R>(1.0 / 6227020800.0);
-  s = s * y2 + number<R>(-1.0 / 39916800.0);
-  s = s * y2 + number<R>(1.0 / 362880.0);
-  s = s * y2 + number<R>(-1.0 / 5040.0);
-  s = s * y2 + number<R>(1.0 / 120.0);
-  s = s * y2 + number<R>(-1.0 / 6.0);
-  s = s * y2 + one;
-  R c = number<R>(1.0 / 2432902008176640000.0);
-  c = c * y2 + number<R>(-1.0 / 6402373705728000.0);
-  c = c * y2 + number<R>(1.0 / 20922789888000.0);
-  c = c * y2 + number<R>(-1.0 / 87178291200.0);
-  c = c * y2 + number<R>(1.0 / 479001600.0);
-  c = c * y2 + number<R>(-1.0 / 3628800.0);
-  c = c * y2 + number<R>(1.0 / 40320.0);
-  c = c * y2 + number<R>(-1.0 / 720.0);
-  c = c * y2 + number<R>(1.0 / 24.0);
-  c = c * y2 + number<R>(-0.5);
-  c = c * y2 + one;
-  return {side * flip * s * y, flip * c};
-}
-
-/// Where the plate is and how it moves: three translations, three successive rotations about x, y, z.
-template <class R>
-struct PlateMotion {
-  R position[6], speed[6];  // m, rad; m/s, rad/s
-};
-
-/// Pose of the plate: its axes as seen in the world, and its velocity.
-template <class R>
-struct PlatePose {
-  Vec3<R> origin, ex, ey, normal;  // m; unit vectors along the bar, across it, and up
-  Vec3<R> velocity, turning;       // m/s, rad/s
-};
-
-/// Smooth start: a quintic from 0 to 1 over `duration`, with its rate.
-template <class R>
-PLATEGAIT_HD void smooth_start(R time, R duration, R& level, R& rate) {
-  const R inverse = number<R>(1) / (duration + number<R>(1e-12));
-  const R s = smaller(time * inverse, number<R>(1)), rest = number<R>(1) - s;
-  level = s * s * s * (number<R>(10) - number<R>(15) * s + number<R>(6) * s * s);
-  rate = number<R>(30) * s * s * rest * rest * inverse;
-}
-
-/// Pose from the six degrees of freedom, rotation R = Rx(Θx) Ry(Θy) Rz(Θz) about a point `height` below the surface.
-/// The surface at rest is z = 0.
-template <class R>
-PLATEGAIT_HD PlatePose<R> plate_pose(const PlateMotion<R>& m, R height) {
-  const R turn = number<R>(0.15915494309189535), zero = number<R>(0);
-  const SineCosine<R> a = sine_cosine(m.position[3] * turn), b = sine_cosine(m.position[4] * turn),
-                      g = sine_cosine(m.position[5] * turn);
-  const Vec3<R> ex = {b.cosine * g.cosine, a.cosine * g.sine + a.sine * b.sine * g.cosine,
-                      a.sine * g.sine - a.cosine * b.sine * g.cosine};
-  const Vec3<R> ey = {zero - b.cosine * g.sine, a.cosine * g.cosine - a.sine * b.sine * g.sine,
-                      a.sine * g.cosine + a.cosine * b.sine * g.sine};
-  const Vec3<R> normal = {b.sine, zero - a.sine * b.cosine, a.cosine * b.cosine};
-  const Vec3<R> turning = {m.speed[3] + m.speed[5] * normal.x, m.speed[4] * a.cosine + m.speed[5] * normal.y,
-                           m.speed[4] * a.sine + m.speed[5] * normal.z};
-  const Vec3<R> arm = height * normal;
-  const Vec3<R> origin = {m.position[0] + arm.x, m.position[1] + arm.y, m.position[2] + arm.z - height};
-  const Vec3<R> velocity = {m.speed[0], m.speed[1], m.speed[2]};
-  return {origin, ex, ey, normal, velocity + cross(turning, arm), turning};
 }
 
 }  // namespace plategait

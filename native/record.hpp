@@ -66,8 +66,11 @@ PLATEGAIT_HD void record_nodes(const State<R>& s, const Topology& topology, cons
     height += x.z;
     low = smaller(low, p.z);
     high = larger(high, p.z);
-    stored += contact_energy(larger(zero - p.z, zero), parameter[CONTACT_STIFFNESS]);
+    R reach = zero - p.z;
+    if (topology.features.plate_edge) reach = reach_of(recall(s, k), reach);
+    stored += contact_energy(larger(reach, zero), parameter[CONTACT_STIFFNESS]);
   }
+  if (topology.features.plate_edge) stored += edge_energy(s, topology, parameter, plate);
   const R share = number<R>(1.0 / topology.n_nodes);
   channel[CENTRE_X] = share * sum.x;
   channel[CENTRE_Y] = share * sum.y;
@@ -103,7 +106,7 @@ PLATEGAIT_HD void record_sample(const State<R>& s, const Topology& topology, con
   channel[CONTACT_WORK] = tally.contact_work;
   channel[FRICTION_LOSS] = tally.friction_loss;
   channel[PLATE_WORK] = tally.plate_work;
-  for (int d = 0; d < DEGREES_OF_FREEDOM; d++) channel[PLATE_X + d] = motion.position[d];
+  for (int d = 0; d < DEGREES_OF_FREEDOM; d++) channel[PLATE_X + d] = narrow_to(motion.position[d], R());
 }
 
 }  // namespace plategait

@@ -43,6 +43,7 @@ using Wide = typename Traits<R>::Wide;
 
 PLATEGAIT_HD float select(bool condition, float yes, float no) { return condition ? yes : no; }
 PLATEGAIT_HD double select(bool condition, double yes, double no) { return condition ? yes : no; }
+PLATEGAIT_HD bool any_of(bool condition) { return condition; }
 PLATEGAIT_HD float smaller(float a, float b) { return a < b ? a : b; }
 PLATEGAIT_HD double smaller(double a, double b) { return a < b ? a : b; }
 PLATEGAIT_HD float larger(float a, float b) { return a > b ? a : b; }

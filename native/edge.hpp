@@ -1,0 +1,168 @@
+// The edge of a finite plate. It carries the sheet between its nodes, and what is beneath the plate stays beneath.
+//
+// Each node has a memory: `sunk`, the depth at which the plate's surface would have to lie for it to touch. It is zero
+// for a sheet that lies on the plate or hangs over its edge; a node that comes in from beside the plate brings its whole
+// depth along, and so finds nothing to stand on.
+#pragma once
+
+#include "touch.hpp"
+
+namespace plategait {
+
+/// Deeper than this a node is beneath the plate, not on it, m: some ten times what a landing presses in.
+constexpr double BENEATH = 1e-3;
+/// A sheet whose line passes the edge no deeper than this hangs over it, m: what a resting sheet presses in.
+constexpr double HANGS_OVER = 1e-4;
+
+/// A node as the plate sees it.
+template <class R>
+struct Above {
+  R along, across, depth;
+  Mask<R> over;  // within the plate's outline
+};
+
+template <class R>
+PLATEGAIT_HD Above<R> above_plate(Vec3<R> x, const PlatePose<R>& plate, const R* parameter) {
+  const R zero = number<R>(0), length = parameter[PLATE_HALF_LENGTH], width = parameter[PLATE_HALF_WIDTH];
+  const Vec3<R> r = x - plate.origin;
+  const R along = dot(r, plate.ex), across = dot(r, plate.ey);
+  return {along, across, zero - dot(r, plate.normal),
+          (along < length) & (zero - along < length) & (across < width) & (zero - across < width)};
+}
+
+/// What the edge remembers of a node: `sunk` in m; 1 while it is `over` the plate; 1 while a neighbour on the plate
+/// holds it beside the edge.
+template <class R>
+struct Memory {
+  R sunk, over, held;
+};
+
+template <class R>
+PLATEGAIT_HD Memory<R> recall(const State<R>& s, int k) {
+  const Vec3<R> m = s.edge.get(k);
+  return {m.x, m.y, m.z};
+}
+
+/// Depth of a node below where it touches, m; negative where nothing carries it.
+template <class R>
+PLATEGAIT_HD R reach_of(const Memory<R>& memory, R depth) {
+  const Mask<R> carried = (memory.over > number<R>(0.5)) & (memory.sunk < number<R>(BENEATH));
+  return select(carried, depth - memory.sunk, number<R>(-1));
+}
+
+/// Share of the way from a node over the plate to one beyond it, at which the line between them passes one pair of
+/// edges; beyond 1 where it does not.
+template <class R>
+PLATEGAIT_HD R way_to_edge(R inner, R outer, R half_size) {
+  const R zero = number<R>(0), out = outer - inner, limit = select(out < zero, zero - half_size, half_size);
+  const Mask<R> passes = (outer > half_size) | (zero - outer > half_size);
+  return select(passes, (limit - inner) / select(passes, out, number<R>(1)), number<R>(2));
+}
+
+/// Where a straight piece of the lattice crosses the plate's edge.
+template <class R>
+struct Crossing {
+  Mask<R> there, first_over;  // whether it does; whether its first node is the one over the plate
+  R near, far;                // weights of its first and second node at the crossing
+  R share, depth;             // part of the piece that lies on the plate; depth there, m
+};
+
+template <class R>
+PLATEGAIT_HD Crossing<R> edge_crossing(const Above<R>& a, const Above<R>& b, const R* parameter) {
+  const R zero = number<R>(0), one = number<R>(1);
+  const Mask<R> first = a.over & !b.over, second = b.over & !a.over;
+  const R along = way_to_edge(select(first, a.along, b.along), select(first, b.along, a.along), parameter[PLATE_HALF_LENGTH]);
+  const R across = way_to_edge(select(first, a.across, b.across), select(first, b.across, a.across), parameter[PLATE_HALF_WIDTH]);
+  const R share = larger(smaller(smaller(along, across), one), zero);
+  const R far = select(first, share, one - share), near = one - far;
+  return {first | second, first, near, far, share, near * a.depth + far * b.depth};
+}
+
+/// Depth of a crossing below where it touches, m; negative where nothing carries it.
+template <class R>
+PLATEGAIT_HD R reach_of(const Crossing<R>& c, const Memory<R>& a, const Memory<R>& b) {
+  const Mask<R> carried = c.there & (a.sunk < number<R>(BENEATH)) & (b.sunk < number<R>(BENEATH));
+  return select(carried, c.depth - (c.near * a.sunk + c.far * b.sunk), number<R>(-1));
+}
+
+/// Renew the memory of every node. Returns whether any is beyond the plate's edge, in any lane.
+template <class R>
+PLATEGAIT_HD bool see_edge(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate) {
+  const R zero = number<R>(0), one = number<R>(1), beneath = number<R>(BENEATH);
+  bool beyond = false;
+  for (int k = 0; k < topology.n_nodes; k++) {
+    const Above<R> node = above_plate(s.x.get(k), plate, parameter);
+    const Memory<R> before = recall(s, k);
+    const R depth = larger(node.depth, zero);
+    // Beneath the plate, or beside it with nothing on the plate to hold it, a node brings its depth along.
+    const R lost = select(node.over, before.sunk, select(before.held > zero, zero, beneath));
+    s.edge.set(k, {select(lost < beneath, smaller(before.sunk, depth), depth), select(node.over, one, zero), zero});
+    beyond = beyond | any_of(!node.over);
+  }
+  return beyond;
+}
+
+/// A piece that crosses the edge from a node on the plate holds the one beyond; one that passes the edge above the
+/// surface hangs over it, wherever it was before.
+template <class R>
+PLATEGAIT_HD Memory<R> hold_beyond(Memory<R> outer, const Memory<R>& inner, Mask<R> crosses, R depth) {
+  const Mask<R> holds = crosses & (inner.sunk < number<R>(BENEATH));
+  outer.held = select(holds, number<R>(1), outer.held);
+  outer.sunk = select(holds & (depth < number<R>(HANGS_OVER)), number<R>(0), outer.sunk);
+  return outer;
+}
+
+/// The edge carries the pieces of the lattice that cross it: forces on their nodes, and which legs touch.
+template <class R>
+PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R* parameter, const Surface<R>& surface,
+                            const PlatePose<R>& plate, const PlatePose<R>& next, Tally<R>& tally, R& left, R& right) {
+  const R zero = number<R>(0), one = number<R>(1), inverse_mass = one / parameter[NODE_MASS];
+  for (int i = 0; i < topology.n_axial_lines; i++) {
+    Above<R> a, b = above_plate(s.x.get(topology.line_nodes[topology.line_start[i]]), plate, parameter);
+    for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
+      const int ka = topology.line_nodes[j], kb = topology.line_nodes[j + 1];
+      a = b;
+      b = above_plate(s.x.get(kb), plate, parameter);
+      const Crossing<R> c = edge_crossing(a, b, parameter);
+      if (!any_of(c.there)) continue;
+      const Memory<R> before_a = recall(s, ka), before_b = recall(s, kb);
+      const Memory<R> ma = hold_beyond(before_a, before_b, c.there & !c.first_over, c.depth);
+      const Memory<R> mb = hold_beyond(before_b, before_a, c.there & c.first_over, c.depth);
+      s.edge.set(ka, {ma.sunk, ma.over, ma.held});
+      s.edge.set(kb, {mb.sunk, mb.over, mb.held});
+
+      const Vec3<R> r = c.near * s.x.get(ka) + c.far * s.x.get(kb) - plate.origin;
+      Vec3<R> pull = inverse_mass * (c.near * s.f.get(ka) + c.far * s.f.get(kb));
+      pull.z = pull.z - parameter[GRAVITY];
+      const Point<R> point = {c.near * s.v.get(ka) + c.far * s.v.get(kb), pull, (c.near * c.near + c.far * c.far) * inverse_mass};
+      const Ground<R> ground = ground_at(plate, next, r);
+      const Touch<R> touch = touch_plate(surface, topology.features, point, ground, reach_of(c, ma, mb), c.share);
+      const Vec3<R> force = touch.normal * plate.normal - touch.drag;
+      s.f.add(ka, c.near * force);
+      s.f.add(kb, c.far * force);
+
+      tally_touch(touch, point, ground, surface.time_step, tally);
+      const R touches = select(touch.normal > zero, one, zero);
+      const Mask<R> on_left = c.near * a.across + c.far * b.across > tally.centre_y;
+      left = larger(left, select(on_left, touches, zero));
+      right = larger(right, select(on_left, zero, touches));
+    }
+  }
+}
+
+/// Energy that the contact along the edge stores, J.
+template <class R>
+PLATEGAIT_HD R edge_energy(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate) {
+  const R zero = number<R>(0);
+  R stored = zero;
+  for (int i = 0; i < topology.n_axial_lines; i++)
+    for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
+      const int ka = topology.line_nodes[j], kb = topology.line_nodes[j + 1];
+      const Crossing<R> c = edge_crossing(above_plate(s.x.get(ka), plate, parameter), above_plate(s.x.get(kb), plate, parameter), parameter);
+      const R reach = larger(reach_of(c, recall(s, ka), recall(s, kb)), zero);
+      stored += contact_energy(reach, c.share * parameter[CONTACT_STIFFNESS]);
+    }
+  return stored;
+}
+
+}  // namespace plategait
