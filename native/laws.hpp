@@ -55,8 +55,8 @@ PLATEGAIT_HD Vec3<R> turning_rate(Edge<R> e) {
 ///
 /// Its force is then that of the rate at which the pair ends the step, were no other joint there.
 template <class R>
-PLATEGAIT_HD R implicit_damping(R c_c, R inverse_mass, R time_step) {
-  return c_c / (number<R>(1) + number<R>(2) * c_c * inverse_mass * time_step);
+PLATEGAIT_HD R implicit_damping(R c_c, R step_over_mass) {
+  return c_c / (number<R>(1) + number<R>(2) * step_over_mass * c_c);
 }
 
 /// Axial Kelvin–Voigt joint (section 3.2.2): tension per unit of `along`, N/m. Adds the power it dissipates.
@@ -119,13 +119,16 @@ PLATEGAIT_HD R bending_energy(Edge<R> first, Edge<R> second, R k_b) {
 /// net moment, and a bent sheet that turns as a whole loses nothing.
 template <class R>
 PLATEGAIT_HD Vec3<R> bending_moment(Edge<R> first, Edge<R> second, Vec3<R> first_turning, Vec3<R> second_turning,
-                                    R k_b, R c_b, R& loss) {
+                                    R k_b, R c_b, R step_over_mass, R& loss) {
   const BendAngle<R> a = bend_angle(first, second);
   const Vec3<R> sine = (first.inverse_length * second.inverse_length) * cross(first.along, second.along);
   // Rate of the angle, over sin θ. The floor is the square of an angle far below single precision's resolution.
   const R inverse_sine = reciprocal_sqrt(dot(sine, sine) + number<R>(1e-16));
   const R rate = dot(second_turning - first_turning, sine) * inverse_sine;
-  const R damping = c_b * rate;
+  // Taken midway through the step, as the joint alone would have it: an edge that an impact has squeezed to a fraction
+  // of its length would otherwise be driven, not damped.
+  const R i = first.inverse_length, j = second.inverse_length;
+  const R damping = c_b * rate / (number<R>(1) + step_over_mass * c_b * (i * i + j * j + i * j));
   loss += damping * rate;
   // θ/sin θ = ratio / cos(θ/2).
   return (k_b * a.ratio * a.inverse_half_cosine + damping * inverse_sine) * sine;
