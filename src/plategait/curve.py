@@ -16,9 +16,10 @@ from plategait.ensemble import Ensemble, fails
 from plategait.errors import InputError
 from plategait.lorentz import LorentzFit, fit_lorentzian
 from plategait.observables import GAITS
+from plategait.observation import Observation, ensemble_of
 from plategait.output import whole_file
 from plategait.scenario import Scenario
-from plategait.simulation import Observation, Simulation, ensemble_of, plain, simulate_all
+from plategait.simulation import Simulation, plain, simulate_all
 from plategait.table import Column, read_table
 from plategait.units import FREQUENCY
 

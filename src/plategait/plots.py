@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.typing import ColorType
 
     from plategait.curve import Curve
+    from plategait.energy import EnergyLedger
     from plategait.sheet import Sheet
     from plategait.simulation import Simulation
 
@@ -126,7 +127,7 @@ def plot_run(simulation: Simulation) -> Figure:
     motion = simulation.scenario.motion
     figure.suptitle(
         f"{simulation.scenario.name}: {motion.frequency:g} Hz, $A_p$ = {math.degrees(motion.angle):.3g} deg, "
-        f"$B_p$ = {1e3 * motion.stroke:.3g} mm",
+        f"$B_p$ = {1e3 * motion.stroke:.3g} mm" + _failed_in_words(simulation),
         x=0.01,
         ha="left",
         fontsize=11,
@@ -148,6 +149,11 @@ def plot_run(simulation: Simulation) -> Figure:
                 fontsize=8.5,
             )
     return figure
+
+
+def _failed_in_words(simulation: Simulation) -> str:
+    failed, runs = simulation.failed_runs, len(simulation.observations)
+    return f"; {failed} of {runs} runs failed" if failed and runs > 1 else ""
 
 
 def _draw_rotation(axes: Axes, simulation: Simulation) -> None:
@@ -205,7 +211,7 @@ def _draw_legs(axes: Axes, simulation: Simulation) -> None:
     axes.set_title(f"share of the time in contact: {gait}", loc="left", fontsize=9.5)
 
 
-def _draw_energy(axes: Axes, energy: observables.EnergyLedger) -> None:
+def _draw_energy(axes: Axes, energy: EnergyLedger) -> None:
     rows = [
         ("work of the plate", energy.plate_work, BLUE),
         ("lost to friction", energy.friction_loss, ORANGE),

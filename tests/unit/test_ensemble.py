@@ -14,8 +14,9 @@ from plategait.campaign.run import sweep
 from plategait.curve import spin_curve
 from plategait.ensemble import Ensemble, fails, mean_of_unfailed, together
 from plategait.observables import student_95
+from plategait.observation import Observation
 from plategait.presets import preset
-from plategait.simulation import Observation, Simulation, simulate
+from plategait.simulation import Simulation, simulate
 from plategait.thesis.cases import Case
 from plategait.thesis.runs import CaseRuns
 

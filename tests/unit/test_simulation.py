@@ -16,13 +16,15 @@ import pytest
 
 from plategait.curve import spin_curve
 from plategait.dataset import write_dataset
+from plategait.energy import EnergyLedger
 from plategait.errors import InputError
-from plategait.observables import BLOCKS, EnergyLedger, Failure, SpinRate, spin_rate
+from plategait.observables import BLOCKS, Failure, SpinRate, spin_rate
+from plategait.observation import Observation
 from plategait.outline import Disk, Mask
 from plategait.presets import preset
 from plategait.scenario import Plate, Scenario, read_scenario
 from plategait.sheet import Sheet
-from plategait.simulation import START_SPREAD, START_TURN, Observation, Simulation, simulate, simulate_all, starts
+from plategait.simulation import START_SPREAD, START_TURN, Simulation, simulate, simulate_all, starts
 
 CHEESE = preset("cheese").scenario
 SHORT = CHEESE.replace(duration=0.5)

@@ -12,9 +12,9 @@ from contextlib import contextmanager
 from typing import Any
 
 from plategait.curve import Curve
+from plategait.energy import LEDGER_TOLERANCE
 from plategait.lorentz import LorentzFit
 from plategait.modes import Modes
-from plategait.observables import LEDGER_TOLERANCE
 from plategait.simulation import Simulation
 
 # Work shorter than this shows no progress bar, s.

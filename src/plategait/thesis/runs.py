@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.curve import Curve, curve_of
-from plategait.simulation import Observation, observe, simulate_all
+from plategait.observation import Observation, observe
+from plategait.simulation import simulate_all
 from plategait.thesis.cases import FIT_FROM, Case, fitted_cases
 from plategait.thesis.shape import Shape, fit_shape
 
