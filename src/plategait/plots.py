@@ -87,9 +87,9 @@ def plot_curve(curve: Curve) -> Figure:
         axes.plot([], [], "s", ms=6.5, mew=1.4, label=PARTLY_FAILED, **mark(GREY, True))
     if failed.any():
         heights = np.where(np.isfinite(rate), rate, 0.0)[failed]
-        axes.plot(
-            f[failed], heights, "x", color=GREY, ms=6, mew=1.4, clip_on=False, label="failed: left out of the fit"
-        )
+        # Wider than a mark that it may lie on.
+        axes.plot(f[failed], heights, "x", color=GREY, ms=10, mew=1.4, zorder=4, clip_on=False,
+                  label="failed: left out of the fit")  # fmt: skip
     beyond = ~curve.fitted & ~failed & np.isfinite(rate)
     if beyond.any():
         axes.plot(

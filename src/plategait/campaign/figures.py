@@ -130,7 +130,8 @@ def _draw_marks(axes: Axes, x: NDArray, y: NDArray, shown: Ensemble, members: Se
     failed = there & shown.failed
     if failed.any():
         heights = np.where(np.isfinite(y), y, 0.0)[failed]
-        axes.plot(x[failed], heights, "x", color=colour or GREY, ms=size, mew=0.22 * size, zorder=4, clip_on=False)
+        # Wider than a mark that it may lie on.
+        axes.plot(x[failed], heights, "x", color=colour or GREY, ms=1.5 * size, mew=0.2 * size, zorder=4, clip_on=False)
 
 
 def _finish(axes: Axes, x_label: str, campaign: Campaign, *, handles: Sequence[Any] = ()) -> None:
