@@ -12,21 +12,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.ensemble import Ensemble, fails
 from plategait.errors import InputError
 from plategait.lorentz import LorentzFit, fit_lorentzian
 from plategait.observables import GAITS
+from plategait.observation import Observation, ensemble_of
 from plategait.output import whole_file
 from plategait.scenario import Scenario
 from plategait.simulation import Simulation, plain, simulate_all
 from plategait.table import Column, read_table
 from plategait.units import FREQUENCY
 
-COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure")
+COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure", "runs", "failed_runs")
 _MEASURED = {
     "frequency": Column("Hz", above=0.0),
     "spin_rate": Column("rad/s", "deg/s", blank=True),
     "spin_rate_sd": Column("rad/s", "deg/s", required=False, at_least=0.0),
     "angle": Column("rad", "deg", required=False, above=0.0),
+    "runs": Column("", required=False, at_least=1.0),
+    "failed_runs": Column("", required=False, at_least=0.0),
 }
 # Successive failed frequencies that end a curve.
 RUN_OFF = 3
@@ -42,7 +46,9 @@ class Curve:
     frequency_hz, spin_rate_deg_s, spin_rate_sd_deg_s : (n,) arrays
         NaN where nothing was measured or no spread is known.
     gait, failure : tuple of str
-        Empty where unknown, or where nothing failed.
+        Empty where unknown, or where no run failed.
+    runs, failed_runs : (n,) arrays or None
+        How many runs each point is made of, and how many of them failed; NaN or None where it is not known.
     fit : LorentzFit or None
         Of the points that did not fail; in deg/s and Hz.
     no_fit : str
@@ -63,6 +69,32 @@ class Curve:
     no_fit: str = ""
     simulations: tuple[Simulation, ...] = ()
     angle_deg: NDArray[np.float64] | None = None
+    runs: NDArray[np.float64] | None = None
+    failed_runs: NDArray[np.float64] | None = None
+
+    @property
+    def failed(self) -> NDArray[np.bool_]:
+        """Points that failed: by the rule of `plategait.ensemble` where the runs are known, else where a failure is."""
+        told = np.array([bool(kind) for kind in self.failure], dtype=bool)
+        if self.runs is None or self.failed_runs is None:
+            return told
+        return np.where(np.isfinite(self.runs + self.failed_runs), fails(self.failed_runs, self.runs), told)
+
+    @property
+    def partly_failed(self) -> NDArray[np.bool_]:
+        """Points at which some runs failed and some did not."""
+        if self.runs is None or self.failed_runs is None:
+            return np.zeros(len(self.failure), dtype=bool)
+        return (self.failed_runs > 0) & (self.failed_runs < self.runs)
+
+    @property
+    def failure_in_words(self) -> tuple[str, ...]:
+        """Failure of each point, with how many of its runs failed where they are several."""
+        words = list(self.failure)
+        if self.runs is not None and self.failed_runs is not None:
+            for i in np.nonzero((self.failed_runs > 0) & (self.runs > 1))[0]:
+                words[i] = f"{self.failed_runs[i]:g} of {self.runs[i]:g} failed: {words[i] or 'unknown'}"
+        return tuple(words)
 
     @property
     def fitted(self) -> NDArray[np.bool_]:
@@ -72,7 +104,7 @@ class Curve:
         `RUN_OFF` successive frequencies that all failed; islands of stability beyond it belong to another motion.
         """
         order = np.argsort(self.frequency_hz, kind="stable")
-        failed = np.array([bool(f) for f in self.failure])[order]
+        failed = self.failed[order]
         runs = (
             np.convolve(failed, np.ones(RUN_OFF), "valid") == RUN_OFF if len(failed) >= RUN_OFF else np.zeros(0, bool)
         )
@@ -107,7 +139,7 @@ class Curve:
         }
         if self.simulations:
             return numbers | {"points": [s.summary() for s in self.simulations]}
-        points = zip(self.frequency_hz, self.spin_rate_deg_s, self.gait, self.failure, strict=True)
+        points = zip(self.frequency_hz, self.spin_rate_deg_s, self.gait, self.failure, self.failed, strict=True)
         return numbers | {
             "points": [
                 {
@@ -115,8 +147,9 @@ class Curve:
                     "spin_rate_deg_s": r if math.isfinite(r) else None,
                     "gait": g or None,
                     "failure": x or None,
+                    "failed": bool(failed),
                 }
-                for f, r, g, x in points
+                for f, r, g, x, failed in points
             ]
         }
 
@@ -138,9 +171,7 @@ def fit_curve(curve: Curve) -> Curve:
     """Same curve with the Lorentz fit (5.5) of its `fitted` points, or with the reason why there is none."""
     kept = curve.fitted
     try:
-        ends_in_failure = any(
-            curve.failure[i] for i in np.nonzero(curve.frequency_hz > curve.frequency_hz[kept].max(initial=0))[0]
-        )
+        ends_in_failure = bool(curve.failed[curve.frequency_hz > curve.frequency_hz[kept].max(initial=0)].any())
         fit = fit_lorentzian(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept], ends_in_failure=ends_in_failure)
     except InputError as error:
         return replace(curve, fit=None, no_fit=str(error))
@@ -167,21 +198,22 @@ def spin_curve(
     """
     scenarios = [scenario.replace(**{"motion.frequency": float(f)}) for f in frequencies]
     simulations = simulate_all(scenarios, progress=progress, **options)
-    points = [s.summary() for s in simulations]
+    shown = curve_of(scenario.name, frequencies, [s.observations for s in simulations])
+    return fit_curve(replace(shown, simulations=tuple(simulations)))
 
-    def column(name: str) -> NDArray[np.float64]:
-        return np.array([math.nan if p[name] is None else p[name] for p in points])
 
-    return fit_curve(
-        Curve(
-            name=scenario.name,
-            frequency_hz=np.array(frequencies, dtype=float),
-            spin_rate_deg_s=column("spin_rate_deg_s"),
-            spin_rate_sd_deg_s=column("spin_rate_sd_deg_s"),
-            gait=tuple(p["gait"] or "" for p in points),
-            failure=tuple(p["failure"] or "" for p in points),
-            simulations=tuple(simulations),
-        )
+def curve_of(name: str, frequencies: Sequence[float], observations: Sequence[Sequence[Observation]]) -> Curve:
+    """Curve without a fit, from the observations of each frequency's runs."""
+    shown: Ensemble = ensemble_of(observations)
+    return Curve(
+        name=name,
+        frequency_hz=np.array(frequencies, dtype=float),
+        spin_rate_deg_s=np.degrees(shown.rate),
+        spin_rate_sd_deg_s=np.degrees(shown.spread),
+        gait=shown.gait,
+        failure=shown.failure,
+        runs=np.full(len(shown.rate), float(shown.runs)),
+        failed_runs=shown.failed_runs.astype(float),
     )
 
 
@@ -216,13 +248,16 @@ def write_curve(curve: Curve, path: Path | str) -> None:
     with whole_file(path, (".csv",), "out") as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(COLUMNS)
-        columns = (curve.frequency_hz, curve.spin_rate_deg_s, curve.spin_rate_sd_deg_s, curve.gait, curve.failure)
+        unknown = np.full(len(curve.failure), math.nan)
+        runs, failed = (unknown if x is None else x for x in (curve.runs, curve.failed_runs))
+        columns = (curve.frequency_hz, curve.spin_rate_deg_s, curve.spin_rate_sd_deg_s, curve.gait, curve.failure,
+                   runs, failed)  # fmt: skip
         for row in zip(*columns, strict=True):
             writer.writerow([v if isinstance(v, str) else f"{v:.10g}" if math.isfinite(v) else "" for v in row])
 
 
 def read_curve(path: Path | str) -> Curve:
-    """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known spin_rate_sd_deg_s, gait, failure, angle_deg.
+    """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known the other `COLUMNS` and angle_deg.
 
     Other units in the headings are read as well (see `plategait.table`). Empty cells are points without that knowledge.
 
@@ -236,6 +271,8 @@ def read_curve(path: Path | str) -> Curve:
     if unknown := set(gait) - {"", *GAITS}:
         raise InputError("gait", unknown.pop(), f"one of {', '.join(GAITS)}, or empty", "walking")
     empty = np.full(len(table), math.nan)
+    runs, failed_runs = table.get("runs", empty), table.get("failed_runs", empty)
+    _check_runs(runs, failed_runs, table.text["failure"])
     return Curve(
         name=table.path.stem,
         frequency_hz=table["frequency"],
@@ -244,4 +281,20 @@ def read_curve(path: Path | str) -> Curve:
         gait=gait,
         failure=table.text["failure"],
         angle_deg=table.numbers.get("angle"),
+        runs=runs,
+        failed_runs=failed_runs,
     )
+
+
+def _check_runs(runs: NDArray[np.float64], failed: NDArray[np.float64], failure: Sequence[str]) -> None:
+    """Refuse numbers of runs that cannot be, or that a failure contradicts."""
+    told = np.array([bool(kind) for kind in failure], dtype=bool)
+    wrong = (np.isnan(runs) != np.isnan(failed)) | (failed > runs) | (runs % 1 > 0) | (failed % 1 > 0)
+    for field, odd, allowed in (
+        ("failed_runs", wrong, "whole, at most the runs of the point, and given where they are"),
+        ("failure", np.isfinite(failed) & (told != (failed > 0)), "told where failed_runs is above 0, and only there"),
+    ):
+        if odd.any():
+            i = int(np.argmax(odd))
+            got = f"{failure[i] or 'nothing'} at {failed[i]:g} of {runs[i]:g} runs"
+            raise InputError(field, got, allowed, "leaving runs and failed_runs out")

@@ -97,10 +97,14 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     for name, values, unit in (
         ("spin_rate", [o.spin.rate for o in simulation.observations], "rad/s"),
         ("drift", [o.drift for o in simulation.observations], "m"),
+        ("failure_time", [o.failure.time if o.failure else np.nan for o in simulation.observations], "s"),
+        ("energy_residual", [o.energy.relative_residual for o in simulation.observations], "1"),
+        ("energy_imbalance", [o.energy.imbalance for o in simulation.observations], "1"),
     ):
         variables[name] = (("run",), np.array(values), {"units": unit})
     variables["gait"] = (("run",), np.array([o.gait for o in simulation.observations]))
     variables["failure"] = (("run",), np.array([o.failure.kind if o.failure else "" for o in simulation.observations]))
+    variables["energy_closed"] = (("run",), np.array([o.energy.closes for o in simulation.observations]))
     attributes = {
         "title": simulation.scenario.name,
         "scenario": write_scenario(simulation.scenario),

@@ -1,4 +1,4 @@
-"""What a motion shows: spin rate, gait, failure, drift, contact, bending, energy.
+"""What a motion shows: spin rate, gait, failure, drift, contact, bending. Energy is in `plategait.energy`.
 
 All take plain arrays of samples, so simulated runs and tracked videos go through the same code.
 """
@@ -56,34 +56,6 @@ class Failure:
 
     kind: str
     time: float
-
-
-@dataclass(frozen=True)
-class EnergyLedger:
-    """Where the plate's work went over a run, J. `residual` is what the time step made or lost: it shrinks with it."""
-
-    plate_work: float
-    kinetic: float
-    gravity: float
-    elastic: float
-    contact_stored: float
-    joint_loss: float
-    contact_loss: float
-    friction_loss: float
-
-    @property
-    def residual(self) -> float:
-        """Work that none of the others accounts for."""
-        return self.plate_work - (
-            self.kinetic + self.gravity + self.elastic + self.contact_stored
-            + self.joint_loss + self.contact_loss + self.friction_loss
-        )  # fmt: skip
-
-    @property
-    def relative_residual(self) -> float:
-        """Residual over the energy that passed through."""
-        through = abs(self.plate_work) + self.joint_loss + self.friction_loss + abs(self.contact_loss)
-        return self.residual / through if through != 0 else 0.0
 
 
 def rotation(cross: Series, dot: Series) -> Series:
@@ -235,25 +207,3 @@ def first_failure(
     if diverged or last < len(time):
         found.append(Failure("diverged", float(time[max(last - 1, 0)])))
     return min(found, key=lambda failure: failure.time, default=None)
-
-
-def energy_ledger(channels: Mapping[str, Series]) -> EnergyLedger:
-    """Where the plate's work went over a whole recording, from its energy channels."""
-
-    def gain(name: str) -> float:
-        return float(channels[name][-1] - channels[name][0])
-
-    def total(name: str) -> float:
-        return float(np.sum(channels[name]))
-
-    stored = gain("contact_energy")
-    return EnergyLedger(
-        plate_work=total("plate_work"),
-        kinetic=gain("kinetic_energy"),
-        gravity=gain("gravity_energy"),
-        elastic=gain("axial_energy") + gain("bending_energy") + gain("torsion_energy"),
-        contact_stored=stored,
-        joint_loss=total("joint_loss"),
-        contact_loss=total("contact_work") - stored,
-        friction_loss=total("friction_loss"),
-    )

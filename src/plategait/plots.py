@@ -14,8 +14,10 @@ from plategait.output import PICTURES, whole_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.typing import ColorType
 
     from plategait.curve import Curve
+    from plategait.energy import EnergyLedger
     from plategait.sheet import Sheet
     from plategait.simulation import Simulation
 
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
 BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#7F7F7F"
 # As in Figs. 4.4 and 4.7.
 MARKERS = {"sliding": ("s", BLUE), "walking": ("^", GREEN), "running": ("o", RED), "": ("D", GREY)}
+PARTLY_FAILED = "half-filled: some of the runs failed"
 # Plate periods shown where single strides are to be seen.
 STRIDES = 6
 
@@ -50,38 +53,43 @@ def label_axes(axes: Axes, x: str, y: str) -> None:
     axes.spines[["top", "right"]].set_visible(False)
 
 
+def mark(colour: ColorType, partly_failed: bool = False) -> dict[str, Any]:
+    """How a point's mark is filled: white, or half of it in its colour where some of its runs failed."""
+    if partly_failed:
+        return {"mec": colour, "mfc": colour, "mfcalt": "white", "fillstyle": "left"}
+    return {"mec": colour, "mfc": "white"}
+
+
 def plot_curve(curve: Curve) -> Figure:
-    """Spin rate over plate frequency, gaits marked as in Figs. 4.4 and 5.2, failures shown, with the Lorentz fit."""
+    """Spin rate over plate frequency, gaits marked as in Figs. 4.4 and 5.2, failures shown, with the Lorentz fit.
+
+    A half-filled mark is of a point at which some runs failed, a cross of one that the fit leaves out.
+    """
     figure = _figure(6.4, 4.2)
     axes = figure.add_subplot()
     f, rate, sd = curve.frequency_hz, curve.spin_rate_deg_s, curve.spin_rate_sd_deg_s
-    failed = np.array([bool(kind) for kind in curve.failure])
+    failed, partly = curve.failed, curve.partly_failed
     if curve.fit is not None:
         grid = np.linspace(f.min(), f[curve.fitted].max(), 400)
         axes.plot(grid, curve.fit(grid), color="black", lw=1.2, zorder=1, label="Lorentz fit (5.5)")
         axes.text(0.02, 0.97, _fit_in_words(curve), transform=axes.transAxes, va="top", fontsize=8.5, linespacing=1.4)
     for gait, (marker, colour) in MARKERS.items():
-        here = np.array([g == gait for g in curve.gait]) & ~failed & np.isfinite(rate)
-        if here.any():
-            bars = np.where(np.isfinite(sd), sd, 0.0)[here]
-            label = gait or "gait unknown"
-            axes.errorbar(
-                f[here],
-                rate[here],
-                bars,
-                fmt=marker,
-                mfc="white",
-                mec=colour,
-                ecolor=colour,
-                ms=6.5,
-                mew=1.4,
-                label=label,
-            )
+        for in_part in (False, True):
+            # A failed point has a mark as well where some of its runs went on.
+            here = np.array([g == gait for g in curve.gait]) & (partly == in_part) & (~failed | partly)
+            here &= np.isfinite(rate)
+            if here.any():
+                bars = np.where(np.isfinite(sd), sd, 0.0)[here]
+                label = (gait or "gait unknown") if not in_part else None
+                axes.errorbar(f[here], rate[here], bars, fmt=marker, ecolor=colour, ms=6.5, mew=1.4, label=label,
+                              **mark(colour, in_part))  # fmt: skip
+    if partly.any():
+        axes.plot([], [], "s", ms=6.5, mew=1.4, label=PARTLY_FAILED, **mark(GREY, True))
     if failed.any():
         heights = np.where(np.isfinite(rate), rate, 0.0)[failed]
-        axes.plot(
-            f[failed], heights, "x", color=GREY, ms=6, mew=1.4, clip_on=False, label="failed: left out of the fit"
-        )
+        # Wider than a mark that it may lie on.
+        axes.plot(f[failed], heights, "x", color=GREY, ms=10, mew=1.4, zorder=4, clip_on=False,
+                  label="failed: left out of the fit")  # fmt: skip
     beyond = ~curve.fitted & ~failed & np.isfinite(rate)
     if beyond.any():
         axes.plot(
@@ -119,7 +127,7 @@ def plot_run(simulation: Simulation) -> Figure:
     motion = simulation.scenario.motion
     figure.suptitle(
         f"{simulation.scenario.name}: {motion.frequency:g} Hz, $A_p$ = {math.degrees(motion.angle):.3g} deg, "
-        f"$B_p$ = {1e3 * motion.stroke:.3g} mm",
+        f"$B_p$ = {1e3 * motion.stroke:.3g} mm" + _failed_in_words(simulation),
         x=0.01,
         ha="left",
         fontsize=11,
@@ -141,6 +149,11 @@ def plot_run(simulation: Simulation) -> Figure:
                 fontsize=8.5,
             )
     return figure
+
+
+def _failed_in_words(simulation: Simulation) -> str:
+    failed, runs = simulation.failed_runs, len(simulation.observations)
+    return f"; {failed} of {runs} runs failed" if failed and runs > 1 else ""
 
 
 def _draw_rotation(axes: Axes, simulation: Simulation) -> None:
@@ -198,7 +211,7 @@ def _draw_legs(axes: Axes, simulation: Simulation) -> None:
     axes.set_title(f"share of the time in contact: {gait}", loc="left", fontsize=9.5)
 
 
-def _draw_energy(axes: Axes, energy: observables.EnergyLedger) -> None:
+def _draw_energy(axes: Axes, energy: EnergyLedger) -> None:
     rows = [
         ("work of the plate", energy.plate_work, BLUE),
         ("lost to friction", energy.friction_loss, ORANGE),
@@ -215,6 +228,9 @@ def _draw_energy(axes: Axes, energy: observables.EnergyLedger) -> None:
         axes.text(value, i, f" {value:.3g}", va="center", fontsize=8.5)
     axes.margins(x=0.15)
     label_axes(axes, "energy over the run (mJ)", "")
+    if not energy.closes:
+        axes.set_title(f"does not balance: out by {energy.imbalance:.2g} of the energy given", loc="left", fontsize=9.5,
+                       color=RED)  # fmt: skip
 
 
 def plot_modes(sheet: Sheet, count: int = 6) -> Figure:

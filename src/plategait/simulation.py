@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from plategait import observables
 from plategait.engine.recording import Recording, Run
+from plategait.ensemble import Ensemble, mean_of_unfailed
 from plategait.errors import InputError
-from plategait.observables import EnergyLedger, Failure, SpinRate
+from plategait.observables import Failure
+from plategait.observation import Observation, ensemble_of, observe
 from plategait.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -31,57 +32,6 @@ MOST_THREADS = 1000
 
 # Time between the shapes that films and files are made of, s: a fifth of a fast plate's quarter period.
 FILM_INTERVAL = 2e-3
-
-
-@dataclass(frozen=True)
-class Observation:
-    """What one run shows. SI; NaN where a failure left nothing to measure."""
-
-    spin: SpinRate
-    gait: str
-    failure: Failure | None
-    drift: float
-    contact_fraction: float
-    flight_fraction: float
-    bending_amplitude: float
-    plate_power: float
-    energy: EnergyLedger
-
-
-def observe(scenario: Scenario, recording: Recording) -> Observation:
-    """Measure a recording over whole plate periods, from the end of the transient to the end or to its failure."""
-    period, channels = scenario.motion.period, recording.channels
-    plate = (scenario.plate.length, scenario.plate.width) if scenario.plate else None
-    failure = observables.first_failure(channels, period, scenario.slip_limit, plate, recording.diverged)
-    times, start = channels["time"], scenario.measured_from
-    end = float(times[-1]) if failure is None else failure.time
-    angle = observables.rotation(channels["spin_cross"], channels["spin_dot"])
-    whole = max(0, math.floor((end - start) / period + 1e-6))
-    start_whole = end - whole * period
-
-    def means(name: str) -> np.ndarray:
-        return observables.period_means(times, channels[name], period, start_whole, end)
-
-    def mean(name: str) -> float:
-        values = means(name)
-        return float(values.mean()) if len(values) else math.nan
-
-    within = (times > start_whole) & (times <= end)
-    bends = channels["bend_rms"][within]
-    slipped = observables.slip(times, channels["centre_x"], channels["centre_y"], period)
-    averaged = (times <= times[-1] - period / 2) | (times[-1] < period)
-    finite = slipped[np.isfinite(slipped) & averaged]
-    return Observation(
-        spin=observables.spin_rate(times, angle, period, start, end),
-        gait=observables.gait(means("left_contact"), means("right_contact"), means("flight")),
-        failure=failure,
-        drift=float(finite.max()) if len(finite) else math.nan,
-        contact_fraction=mean("contact"),
-        flight_fraction=mean("flight"),
-        bending_amplitude=float(bends.max()) if len(bends) else math.nan,
-        plate_power=float(channels["plate_work"][within].sum()) / (end - start_whole) if whole else math.nan,
-        energy=observables.energy_ledger(channels),
-    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,64 +59,82 @@ class Simulation:
     seed: int
     wall: float
 
+    @cached_property
+    def _shown(self) -> Ensemble:
+        return ensemble_of([self.observations])
+
     @property
     def failed(self) -> bool:
-        """Whether more than half of the runs failed."""
-        return sum(o.failure is not None for o in self.observations) * 2 > len(self.observations)
+        """Whether at least half of the runs failed (see `plategait.ensemble` for this and the means)."""
+        return bool(self._shown.failed[0])
+
+    @property
+    def failed_runs(self) -> int:
+        """Number of runs that failed."""
+        return int(self._shown.failed_runs[0])
+
+    @property
+    def counted_runs(self) -> int:
+        """Number of runs that the spin rate is over."""
+        return int(self._shown.counted_runs[0])
 
     @property
     def failure(self) -> Failure | None:
-        """Commonest failure with its median time, where the scenario failed."""
-        failures = [o.failure for o in self.observations if o.failure is not None]
-        if not self.failed:
-            return None
-        kinds = [f.kind for f in failures]
-        kind = max(observables.FAILURES, key=kinds.count)
-        return Failure(kind, float(np.median([f.time for f in failures if f.kind == kind])))
+        """Commonest failure with its median time; None where no run failed."""
+        kind = self._shown.failure[0]
+        return Failure(kind, float(self._shown.failure_time[0])) if kind else None
 
-    @cached_property
-    def _valid(self) -> list[Observation]:
-        """Runs that count for the means: those that did not fail, or all where the scenario failed."""
-        return [o for o in self.observations if o.failure is None or self.failed]
-
-    def _mean(self, values: Sequence[float]) -> float:
-        finite = [v for v in values if math.isfinite(v)]
-        return float(np.mean(finite)) if finite else math.nan
+    @property
+    def failures(self) -> dict[str, list[float]]:
+        """Times at which runs failed, s, by kind, the commonest first."""
+        times: dict[str, list[float]] = {}
+        for failure in (o.failure for o in self.observations if o.failure is not None):
+            times.setdefault(failure.kind, []).append(failure.time)
+        return dict(sorted(times.items(), key=lambda item: -len(item[1])))
 
     @property
     def spin_rate(self) -> float:
-        """Mean spin rate, rad/s, counter-clockwise positive; NaN where nothing could be measured."""
-        return self._mean([o.spin.rate for o in self._valid])
+        """Mean spin rate of the runs that did not fail, rad/s, counter-clockwise positive; NaN where there is none."""
+        return float(self._shown.rate[0])
 
     @property
     def spin_rate_interval(self) -> tuple[float, float]:
         """95 % interval of the spin rate, rad/s: within the run, or of the ensemble's mean."""
-        if len(self._valid) == 1:
-            return self._valid[0].spin.low, self._valid[0].spin.high
-        rates = [o.spin.rate for o in self._valid if math.isfinite(o.spin.rate)]
-        if len(rates) < 2:
-            return math.nan, math.nan
-        half = observables.student_95(len(rates) - 1) * self.spin_rate_sd / math.sqrt(len(rates))
-        return self.spin_rate - half, self.spin_rate + half
+        return float(self._shown.low[0]), float(self._shown.high[0])
 
     @property
     def spin_rate_sd(self) -> float:
         """Standard deviation of the spin rate, rad/s: over the ensemble, or for one run over its blocks of periods."""
-        rates = [o.spin.rate for o in self._valid if math.isfinite(o.spin.rate)]
-        if len(rates) > 1:
-            return float(np.std(rates, ddof=1))
-        return self._valid[0].spin.sd
+        return float(self._shown.spread[0])
 
     @property
     def settled(self) -> bool:
-        """Whether every run that counts has settled, and nothing failed."""
-        return not self.failed and all(o.spin.settled for o in self._valid)
+        """Whether every run that counts has settled, and the scenario has not failed."""
+        return bool(self._shown.settled[0])
 
     @property
     def gait(self) -> str:
-        """Gait of most runs."""
-        gaits = [o.gait for o in self._valid]
-        return max(("", *observables.GAITS), key=gaits.count)
+        """Gait of most runs that did not fail, of equals the livelier; empty where there is none."""
+        return self._shown.gait[0]
+
+    @property
+    def open_ledgers(self) -> int:
+        """Number of runs whose energy does not balance, failed ones included."""
+        return sum(not o.energy.closes for o in self.observations)
+
+    @property
+    def sound(self) -> bool:
+        """Whether no run failed and every run's energy balances."""
+        return not self.failed_runs and not self.open_ledgers
+
+    def _mean(self, of: Callable[[Observation], float]) -> float:
+        """Mean of a number over the runs that did not fail."""
+        failed = [o.failure is not None for o in self.observations]
+        return float(mean_of_unfailed([of(o) for o in self.observations], failed))
+
+    def _worst(self, of: Callable[[Observation], float]) -> float:
+        """Number of the run in which it is furthest from zero; NaN where a run has none."""
+        return max((of(o) for o in self.observations), key=lambda x: math.inf if math.isnan(x) else abs(x))
 
     @property
     def simulated(self) -> float:
@@ -185,16 +153,21 @@ class Simulation:
             "settled": self.settled,
             "gait": self.gait or None,
             "failed": self.failed,
-            "failed_runs": sum(o.failure is not None for o in self.observations),
+            "failed_runs": self.failed_runs,
             "failure": failure.kind if failure else None,
             "failure_time_s": failure.time if failure else None,
-            "drift_mm": 1e3 * self._mean([o.drift for o in self._valid]),
-            "contact_fraction": self._mean([o.contact_fraction for o in self._valid]),
-            "flight_fraction": self._mean([o.flight_fraction for o in self._valid]),
-            "bending_amplitude_deg": math.degrees(self._mean([o.bending_amplitude for o in self._valid])),
-            "plate_power_mw": 1e3 * self._mean([o.plate_power for o in self._valid]),
-            "energy_residual": self._mean([o.energy.relative_residual for o in self._valid]),
+            "failures": {kind: len(times) for kind, times in self.failures.items()},
+            "drift_mm": 1e3 * self._mean(lambda o: o.drift),
+            "contact_fraction": self._mean(lambda o: o.contact_fraction),
+            "flight_fraction": self._mean(lambda o: o.flight_fraction),
+            "bending_amplitude_deg": math.degrees(self._mean(lambda o: o.bending_amplitude)),
+            "plate_power_mw": 1e3 * self._mean(lambda o: o.plate_power),
+            "energy_residual": self._worst(lambda o: o.energy.relative_residual),
+            "energy_imbalance": self._worst(lambda o: o.energy.imbalance),
+            "energy_closed": not self.open_ledgers,
+            "open_ledgers": self.open_ledgers,
             "runs": len(self.recordings),
+            "counted_runs": self.counted_runs,
             "engine": self.engine,
             "seed": self.seed,
             "dt_s": self.recordings[0].dt,

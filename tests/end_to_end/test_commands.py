@@ -16,7 +16,7 @@ import pytest
 from plategait.cli import main
 from plategait.curve import COLUMNS, read_curve
 from plategait.presets import PRESETS, preset
-from plategait.scenario import read_scenario
+from plategait.scenario import read_scenario, write_scenario
 from plategait.simulation import simulate
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
@@ -107,6 +107,41 @@ def test_a_failure_is_exit_status_1(tmp_path):
     assert summary["failed"] is True
     assert summary["failure"] == "slipped"
     assert 0 < summary["failure_time_s"] < 1
+
+
+def test_a_failure_in_part_shows_everywhere(tmp_path):
+    # The limit of slip that two of these four starts keep.
+    base = preset("cheese").scenario.replace(duration=0.6)
+    drifts = sorted(o.drift for o in simulate(base, repeats=4, seed=3).observations)
+    (tmp_path / "s.toml").write_text(write_scenario(base.replace(slip_limit=0.5 * (drifts[1] + drifts[2]))))
+    four = ("s.toml", "--repeats", "4", "--seed", "3")
+    table = plategait("simulate", *four, cwd=tmp_path, check=1).stdout
+    assert "2 of 4 slipped at 0." in table
+    assert "over 2 of 4 runs" in table
+    summary = plain_json(plategait("simulate", *four, "--json", cwd=tmp_path, check=1).stdout)
+    assert (summary["runs"], summary["failed_runs"], summary["counted_runs"]) == (4, 2, 2)
+    assert (summary["failed"], summary["failure"], summary["failures"]) == (True, "slipped", {"slipped": 2})
+    curve = plategait("curve", *four, "--frequency", "24, 25 Hz", "--out", "c.csv", cwd=tmp_path).stdout
+    assert "2 of 4 failed: slipped" in curve
+    back = read_curve(tmp_path / "c.csv")
+    assert back.failed_runs is not None
+    assert back.failed_runs[0] == 2
+    assert back.partly_failed[0]
+
+
+def test_nothing_is_said_of_contact_and_flight_where_nothing_was_measured(tmp_path):
+    done = plategait("simulate", "cheese", "--duration", "1e-3 s", cwd=tmp_path, check=0)
+    for name in (
+        "spin rate",
+        "95 % interval",
+        "nodes in contact",
+        "time in flight",
+        "plate power",
+        "bending amplitude",
+    ):
+        (shown,) = (line for line in done.stdout.splitlines() if name in line)
+        assert shown.replace(name, "").strip() == "–", shown
+    assert "– to –" not in done.stdout
 
 
 def test_a_failure_is_printed_with_its_time(tmp_path):

@@ -118,8 +118,35 @@ def test_the_file_has_its_columns(tmp_path):
         curve_of([12, 13], [1.5, math.nan], gait=["sliding", ""], failure=["", "left the plate"]), tmp_path / "c.csv"
     )
     assert (tmp_path / "c.csv").read_text().splitlines() == [
-        ",".join(COLUMNS), "12,1.5,,sliding,", "13,,,,left the plate",
+        ",".join(COLUMNS), "12,1.5,,sliding,,,", "13,,,,left the plate,,",
     ]  # fmt: skip
+
+
+def test_points_that_failed_in_part_come_back_as_such(tmp_path):
+    kinds = ("", "slipped", "slipped", "slipped", "folded")
+    rate, walking = np.array([1.0, 2, 3, 4, math.nan]), ("walking",) * 5
+    curve = Curve("c", np.arange(12.0, 17), rate, np.full(5, 0.1), walking, kinds,
+                  runs=np.array([4.0, 4, 4, 4, 1]), failed_runs=np.array([0.0, 1, 2, 3, 1]))  # fmt: skip
+    write_curve(curve, tmp_path / "c.csv")
+    back = read_curve(tmp_path / "c.csv")
+    for each in (curve, back):
+        assert each.failed.tolist() == [False, False, True, True, True]
+        assert each.partly_failed.tolist() == [False, True, True, True, False]
+        assert each.fitted.tolist() == [True, True, False, False, False]
+        assert each.failure_in_words == (
+            "", "1 of 4 failed: slipped", "2 of 4 failed: slipped", "3 of 4 failed: slipped", "folded"
+        )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("row", "field"),
+    [("slipped,4,5", "failed_runs"), ("slipped,4,", "failed_runs"), ("slipped,,1", "failed_runs"),
+     ("slipped,4,1.5", "failed_runs"), ("slipped,4,0", "failure"), (",4,1", "failure")],
+)  # fmt: skip
+def test_runs_that_contradict_each_other_are_refused(tmp_path, row, field):
+    with pytest.raises(InputError) as caught:
+        read_text(tmp_path, f"frequency_hz,spin_rate_deg_s,failure,runs,failed_runs\n12,3,{row}\n")
+    assert caught.value.field == field
 
 
 @pytest.mark.parametrize("name", ["c.txt", "c", "missing/c.csv"])

@@ -12,8 +12,6 @@ from hypothesis import strategies as st
 from plategait.observables import (
     FAILURES,
     GAITS,
-    EnergyLedger,
-    energy_ledger,
     first_failure,
     gait,
     period_means,
@@ -304,42 +302,3 @@ def test_tracked_motion_without_area_can_only_slip():
 
 def test_a_calm_run_has_not_failed():
     assert first_failure(with_area(drifting(swing=0.003), (0.1, 0, 0.9)), PERIOD, 0.01, (0.1, 0.1)) is None
-
-
-# Energy
-
-
-def test_the_ledger_sums():
-    n = 50
-    rng = np.random.default_rng(5)
-    states = ("kinetic", "gravity", "axial", "bending", "torsion", "contact")
-    channels = {f"{name}_energy": rng.uniform(0, 1, n) for name in states}
-    joint, friction, contact_loss = (np.r_[0.0, rng.uniform(0, 1, n - 1)] for _ in range(3))
-    stored = np.diff(channels["contact_energy"], prepend=channels["contact_energy"][0])
-    change = sum(np.diff(channels[f"{name}_energy"], prepend=channels[f"{name}_energy"][0]) for name in states)
-    channels |= {
-        "joint_loss": joint,
-        "friction_loss": friction,
-        "contact_work": contact_loss + stored,
-        "plate_work": change + joint + friction + contact_loss,
-    }
-    ledger = energy_ledger(channels)
-    # Sums of 50 numbers of order one.
-    assert ledger.residual == pytest.approx(0, abs=1e-12)
-    assert ledger.contact_loss == pytest.approx(contact_loss.sum(), abs=1e-12)
-    assert ledger.elastic == pytest.approx(
-        sum(channels[f"{name}_energy"][-1] - channels[f"{name}_energy"][0] for name in ("axial", "bending", "torsion"))
-    )
-    channels["plate_work"][7] += 0.25
-    assert energy_ledger(channels).residual == pytest.approx(0.25, abs=1e-12)
-    through = abs(ledger.plate_work + 0.25) + joint.sum() + friction.sum() + contact_loss.sum()
-    assert energy_ledger(channels).relative_residual == pytest.approx(0.25 / through, rel=1e-9)
-
-
-def test_a_ledger_of_nothing_has_no_residual():
-    assert EnergyLedger(0, 0, 0, 0, 0, 0, 0, 0).relative_residual == 0.0
-
-
-def test_a_ledger_without_numbers_claims_no_balance():
-    # A diverged run: that nothing was measured must not read as that nothing is missing.
-    assert math.isnan(EnergyLedger(math.nan, math.nan, 0, 0, 0, 0, 0, 0).relative_residual)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -43,6 +44,23 @@ def test_failed_runs_are_shown_apart():
     np.testing.assert_array_equal(failed.get_xdata(), FREQUENCY[13:])
     assert failed.get_ydata()[1] == 0, "where nothing was measured the cross lies on the axis"
     assert "left out" in failed.get_label()
+
+
+def test_points_that_failed_in_part_are_half_filled():
+    curve = a_curve()
+    failed_runs = np.array([0.0] * 6 + [1.0] + [0.0] * 5 + [2.0] + [4.0] * 3)
+    failure = tuple("slipped" if n else "" for n in failed_runs)
+    partly = fit_curve(replace(curve, failure=failure, runs=np.full(16, 4.0), failed_runs=failed_runs))
+    axes = plots.plot_curve(partly).axes[0]
+    half = [line for line in axes.get_lines() if line.get_fillstyle() == "left" and len(line.get_xdata())]
+    assert sorted((line.get_marker(), *line.get_xdata()) for line in half) == [("^", 20.0), ("o", 26.0)]
+    # One of four that failed is used all the same; of the point that half of its runs left the fit knows nothing.
+    (crosses,) = lines_with(axes, "x")
+    np.testing.assert_array_equal(crosses.get_xdata(), FREQUENCY[12:])
+    assert partly.fitted[6]
+    assert not partly.fitted[12]
+    assert plots.PARTLY_FAILED in [text.get_text() for text in axes.get_legend().get_texts()]
+    assert not [line for line in plots.plot_curve(curve).axes[0].get_lines() if line.get_fillstyle() == "left"]
 
 
 def test_the_fit_is_drawn_over_the_points_it_uses():

@@ -16,13 +16,15 @@ import pytest
 
 from plategait.curve import spin_curve
 from plategait.dataset import write_dataset
+from plategait.energy import EnergyLedger
 from plategait.errors import InputError
-from plategait.observables import BLOCKS, EnergyLedger, Failure, SpinRate, spin_rate
+from plategait.observables import BLOCKS, Failure, SpinRate, spin_rate
+from plategait.observation import Observation
 from plategait.outline import Disk, Mask
 from plategait.presets import preset
 from plategait.scenario import Plate, Scenario, read_scenario
 from plategait.sheet import Sheet
-from plategait.simulation import START_SPREAD, START_TURN, Observation, Simulation, simulate, simulate_all, starts
+from plategait.simulation import START_SPREAD, START_TURN, Simulation, simulate, simulate_all, starts
 
 CHEESE = preset("cheese").scenario
 SHORT = CHEESE.replace(duration=0.5)
@@ -122,7 +124,7 @@ def test_no_scenario_is_refused():
 
 
 def made(spins: list[SpinRate], failures: list[Failure | None] | None = None) -> Simulation:
-    ledger = EnergyLedger(0, 0, 0, 0, 0, 0, 0, 0)
+    ledger = EnergyLedger(0, 0, 0, 0, 0, 0, 0, 0, given=1.0, largest_gap=0.0)
     observations = tuple(
         Observation(spin, "walking", failure, 0.001, 0.5, 0.1, 0.2, 0.01, ledger)
         for spin, failure in zip(spins, failures or [None] * len(spins), strict=True)
@@ -163,10 +165,13 @@ def test_one_failure_in_three_does_not_count():
     good = SpinRate(2.0, 1.9, 2.1, True)
     simulation = made([good, NOTHING, SpinRate(4.0, 3.9, 4.1, True)], [None, Failure("slipped", 0.2), None])
     assert not simulation.failed
-    assert simulation.failure is None
+    assert simulation.failure == Failure("slipped", 0.2), "a failure in part is told all the same"
+    assert not simulation.sound
     assert simulation.spin_rate == 3.0
     assert simulation.settled
-    assert simulation.summary()["failed_runs"] == 1
+    summary = simulation.summary()
+    assert (summary["failed_runs"], summary["counted_runs"], summary["runs"]) == (1, 2, 3)
+    assert summary["failures"] == {"slipped": 1}
 
 
 def test_two_failures_in_three_do():
@@ -177,7 +182,22 @@ def test_two_failures_in_three_do():
     assert simulation.failed
     assert simulation.failure == Failure("folded", pytest.approx(0.3))
     assert not simulation.settled
+    assert simulation.spin_rate == 4.0, "over the run that stayed alone"
     json.dumps(simulation.summary(), allow_nan=False)
+
+
+def test_a_ledger_that_does_not_close_is_not_averaged_away():
+    simulation = made([SpinRate(2.0, 1.9, 2.1, True)] * 3)
+    wrong = EnergyLedger(0, 0, 0, 0, 0, 0, 0, 0, given=1.0, largest_gap=0.5)
+    first, *others = simulation.observations
+    simulation = replace(simulation, observations=(replace(first, energy=wrong), *others))
+    assert not simulation.sound
+    assert not simulation.failed
+    summary = simulation.summary()
+    assert (summary["energy_closed"], summary["open_ledgers"], summary["energy_imbalance"]) == (False, 1, 0.5)
+    data = simulation.to_dataset()
+    assert data["energy_closed"].values.tolist() == [False, True, True]
+    assert data["energy_imbalance"].values.tolist() == [0.5, 0, 0]
 
 
 # Statuses and summaries
@@ -231,6 +251,7 @@ def test_whatever_happens_is_a_status(name, engine):
     summary = json.loads(json.dumps(result.summary(), allow_nan=False))
     assert set(summary) >= REQUIRED
     if summary["failed"]:
+        assert summary["spin_rate_deg_s"] is None, "what a failed run showed is no rate"
         assert 0 <= summary["failure_time_s"] <= STATUSES[name].duration
         assert summary["settled"] is False
     else:

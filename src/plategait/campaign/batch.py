@@ -54,7 +54,9 @@ SUMMARY = (
     Variable("flight_fraction", "float64", "share of the time in which nothing touches", "1"),
     Variable("bending_amplitude", "float64", "largest rms angle of the bending joints", "rad"),
     Variable("plate_power", "float64", "mean power of the plate", "W"),
-    Variable("energy_residual", "float64", "energy unaccounted for over the energy that passed through", "1"),
+    Variable("energy_residual", "float64", "energy unaccounted for at the end over the energy given", "1"),
+    Variable("energy_imbalance", "float64", "furthest that the energy was out of balance, over the energy given", "1"),
+    Variable("energy_closed", "bool", "whether the energy balances within the tolerance"),
     Variable("dt", "float64", "time step", "s"),
     Variable("steps", "int64", "steps taken", "1"),
 )
@@ -150,6 +152,8 @@ def _summary(run: Simulation) -> dict[str, float | bool | str | int]:
         "bending_amplitude": o.bending_amplitude,
         "plate_power": o.plate_power,
         "energy_residual": o.energy.relative_residual,
+        "energy_imbalance": o.energy.imbalance,
+        "energy_closed": o.energy.closes,
         "dt": recording.dt,
         "steps": recording.steps,
     }

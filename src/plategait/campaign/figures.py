@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from plategait.campaign.opened import Campaign
 from plategait.campaign.parameters import Parameter
-from plategait.campaign.refine import Outcomes, curves
+from plategait.campaign.refine import curves
+from plategait.ensemble import Ensemble
 from plategait.errors import InputError
-from plategait.plots import BLUE, GREEN, GREY, MARKERS, ORANGE, RED
+from plategait.plots import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, mark
 from plategait.units import parse
 
 if TYPE_CHECKING:
@@ -54,8 +55,8 @@ class _Column:
 def plot_campaign(campaign: Campaign) -> Figure:
     """Spin rate over what was swept: a curve, a family of curves, a map with contour lines, or one panel for each.
 
-    Gaits are squares (sliding), triangles (walking) and circles (running), as in Figs. 4.4 and 4.7; failed points are
-    crosses.
+    Gaits are squares (sliding), triangles (walking) and circles (running), as in Figs. 4.4 and 4.7, half-filled where
+    some runs of a point failed; failed points are crosses.
 
     Raises
     ------
@@ -103,19 +104,34 @@ def _order(numbers: Sequence[_Column], columns: Sequence[_Column]) -> tuple[_Col
     return along, next(c for c in columns if c is not along)
 
 
-def _draw_curve(axes: Axes, x: NDArray, shown: Outcomes, members: Sequence[int], colour: str, label: str) -> None:
+def _draw_curve(axes: Axes, x: NDArray, shown: Ensemble, members: Sequence[int], colour: str, label: str) -> None:
     order = [i for i in sorted(members, key=lambda i: float(x[i]))]
     good = np.array([i for i in order if not shown.failed[i] and math.isfinite(shown.rate[i])], dtype=int)
     rate, spread = np.degrees(shown.rate), np.degrees(np.nan_to_num(shown.spread))
     axes.errorbar(x[good], rate[good], spread[good], color=colour, lw=1.0, elinewidth=0.8, label=label or None)
+    _draw_marks(axes, x, rate, shown, order, size=6.5, colour=colour if label else "")
+
+
+def _draw_marks(axes: Axes, x: NDArray, y: NDArray, shown: Ensemble, members: Sequence[int], size: float,
+                colour: str = "") -> None:  # fmt: skip
+    """Mark points by gait, half-filled where some runs failed, and with a cross where the point failed.
+
+    The cross lies at 0 where y has no number. `colour` takes the place of each gait's own.
+    """
+    there = np.zeros(len(x), dtype=bool)
+    there[list(members)] = True
+    # A failed point has a mark as well where some of its runs went on.
+    marked = there & np.isfinite(shown.rate)
     for gait, (marker, own) in MARKERS.items():
-        here = [i for i in good if shown.gait[i] == gait]
-        if here:
-            edge = colour if label else own
-            axes.plot(x[here], rate[here], marker, mfc="white", mec=edge, ms=6.5, mew=1.4, zorder=3)
-    failed = [i for i in order if shown.failed[i]]
-    if failed:
-        axes.plot(x[failed], np.zeros(len(failed)), "x", color=colour if label else GREY, ms=6, mew=1.4, clip_on=False)
+        for in_part in (False, True):
+            here = marked & np.array([g == gait for g in shown.gait]) & (shown.partly_failed == in_part)
+            if here.any():
+                axes.plot(x[here], y[here], marker, ms=size, mew=0.22 * size, zorder=3, **mark(colour or own, in_part))
+    failed = there & shown.failed
+    if failed.any():
+        heights = np.where(np.isfinite(y), y, 0.0)[failed]
+        # Wider than a mark that it may lie on.
+        axes.plot(x[failed], heights, "x", color=colour or GREY, ms=1.5 * size, mew=0.2 * size, zorder=4, clip_on=False)
 
 
 def _finish(axes: Axes, x_label: str, campaign: Campaign, *, handles: Sequence[Any] = ()) -> None:
@@ -131,21 +147,24 @@ def _title(campaign: Campaign) -> str:
     return campaign.plan.name + (f" ({left} points not yet run)" if left else "")
 
 
-def _gait_handles(shown: Outcomes) -> list[Any]:
+def _gait_handles(shown: Ensemble) -> list[Any]:
     """Legend of the marks that are there."""
     from matplotlib.lines import Line2D
 
-    gaits = {g for g, failed in zip(shown.gait, shown.failed, strict=True) if not failed}
-    marks = [(gait or "gait unknown", marker, colour) for gait, (marker, colour) in MARKERS.items() if gait in gaits]
+    gaits = {g for g, rate in zip(shown.gait, shown.rate, strict=True) if math.isfinite(rate)}
+    marks = [
+        (gait or "gait unknown", marker, mark(colour)) for gait, (marker, colour) in MARKERS.items() if gait in gaits
+    ]
     if shown.failed.any():
-        marks.append(("failed", "x", GREY))
+        marks.append(("failed", "x", mark(GREY)))
+    if shown.partly_failed.any():
+        marks.append((PARTLY_FAILED, "s", mark(GREY, True)))
     return [
-        Line2D([], [], ls="", marker=marker, mfc="white", mec=colour, ms=6.5, mew=1.4, label=label)
-        for label, marker, colour in marks
+        Line2D([], [], ls="", marker=marker, ms=6.5, mew=1.4, label=label, **style) for label, marker, style in marks
     ]
 
 
-def _family(campaign: Campaign, shown: Outcomes, along: _Column, across: _Column) -> Figure:
+def _family(campaign: Campaign, shown: Ensemble, along: _Column, across: _Column) -> Figure:
     from matplotlib.lines import Line2D
 
     figure = _figure(6.8, 4.4)
@@ -159,7 +178,7 @@ def _family(campaign: Campaign, shown: Outcomes, along: _Column, across: _Column
     return figure
 
 
-def _map(campaign: Campaign, shown: Outcomes, x: _Column, y: _Column) -> Figure:
+def _map(campaign: Campaign, shown: Ensemble, x: _Column, y: _Column) -> Figure:
     figure = _figure(6.8, 5.0)
     axes = figure.add_subplot()
     good = ~shown.failed & np.isfinite(shown.rate)
@@ -171,10 +190,7 @@ def _map(campaign: Campaign, shown: Outcomes, x: _Column, y: _Column) -> Figure:
         )
         axes.clabel(lines, fontsize=7.5, fmt="%g")
         figure.colorbar(filled, ax=axes, label=_RATE)
-    for gait, (marker, colour) in MARKERS.items():
-        here = good & np.array([g == gait for g in shown.gait])
-        axes.plot(x.values[here], y.values[here], marker, mfc="white", mec=colour, ms=5, mew=1.1)
-    axes.plot(x.values[shown.failed], y.values[shown.failed], "x", color=GREY, ms=5, mew=1.1)
+    _draw_marks(axes, x.values, y.values, shown, range(len(rate)), size=5)
     _finish(axes, x.label, campaign)
     axes.set_ylabel(y.label)
     axes.legend(handles=_gait_handles(shown), frameon=False, fontsize=8.5, loc="upper left", bbox_to_anchor=(0, -0.12),
@@ -188,16 +204,12 @@ def _spread_out(x: NDArray, y: NDArray) -> bool:
     return bool(np.linalg.matrix_rank(offsets, tol=1e-6) == 2)
 
 
-def _panels(campaign: Campaign, shown: Outcomes, numbers: Sequence[_Column]) -> Figure:
+def _panels(campaign: Campaign, shown: Ensemble, numbers: Sequence[_Column]) -> Figure:
     figure = _figure(max(6.4, 3.4 * len(numbers)), 3.8)
     panels: Any = figure.subplots(1, len(numbers), sharey=True, squeeze=False)[0]
-    good = ~shown.failed & np.isfinite(shown.rate)
     rate = np.degrees(shown.rate)
     for axes, column in zip(panels, numbers, strict=True):
-        for gait, (marker, colour) in MARKERS.items():
-            here = good & np.array([g == gait for g in shown.gait])
-            axes.plot(column.values[here], rate[here], marker, mfc="white", mec=colour, ms=5, mew=1.1)
-        axes.plot(column.values[shown.failed], np.zeros(int(shown.failed.sum())), "x", color=GREY, ms=5, mew=1.1)
+        _draw_marks(axes, column.values, rate, shown, range(len(rate)), size=5)
         axes.set_xlabel(column.label)
         axes.spines[["top", "right"]].set_visible(False)
     panels[0].set_ylabel(_RATE)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from plategait.campaign.plan import Sweep, sweep_of_json
 from plategait.campaign.points import Point, base_points
-from plategait.campaign.refine import COUNTED, Outcomes, outcomes
 from plategait.campaign.store import Store, check_path
+from plategait.ensemble import TAKEN, Ensemble, together
 from plategait.errors import InputError
 
 if TYPE_CHECKING:
@@ -69,10 +69,10 @@ class Campaign:
         values = [self.data[name].values.tolist() for name in names]
         return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]
 
-    @property
-    def outcomes(self) -> Outcomes:
+    @cached_property
+    def outcomes(self) -> Ensemble:
         """Rate, gait and failure of each point of `data`, over its repeats."""
-        return outcomes(*(self.data[name].values for name in COUNTED))
+        return together(**{name: self.data[name].values for name in TAKEN})
 
     def as_grid(self) -> xarray.Dataset:
         """Points of a grid with one dimension for each parameter, without those that refine it.
@@ -122,7 +122,9 @@ class Campaign:
         height = np.where(shown.failed | ~np.isfinite(shown.rate), -1.0, np.abs(shown.rate))
         best = int(height.argmax())
         numbers["failed_points"] = int(shown.failed.sum())
-        numbers["gaits"] = {g or "none": shown.gait.count(g) for g in dict.fromkeys(shown.gait)}  # type: ignore[attr-defined]
+        numbers["partly_failed_points"] = int(shown.partly_failed.sum())
+        numbers["open_ledgers"] = int((~self.data["energy_closed"].values).sum())
+        numbers["gaits"] = {g or "none": shown.gait.count(g) for g in dict.fromkeys(shown.gait)}
         if height[best] >= 0:
             numbers["fastest"] = {"spin_rate_rad_s": float(shown.rate[best]), "at": self.points[best]}
         return numbers

@@ -3,63 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point
+from plategait.ensemble import Ensemble
 from plategait.errors import InputError
-from plategait.observables import GAITS
 
 # Neighbours closer than this share of the curve's range are not parted any more.
 FINEST = 2.0**-12
-
-
-@dataclass(frozen=True, eq=False)
-class Outcomes:
-    """What the points so far have shown, each over its repeats.
-
-    Attributes
-    ----------
-    rate : (n,) array
-        Mean spin rate of the runs that did not fail, rad/s; NaN where there is none.
-    spread : (n,) array
-        Standard deviation over those runs, rad/s, or of one run over its blocks of periods.
-    gait : sequence of str
-        Of most runs.
-    failed : (n,) bool array
-        Whether more than half of the runs failed.
-    """
-
-    rate: NDArray[np.float64]
-    spread: NDArray[np.float64]
-    gait: Sequence[str]
-    failed: NDArray[np.bool_]
-
-
-COUNTED = ("spin_rate", "spin_rate_sd", "gait", "failure")
-
-
-def outcomes(rate: NDArray[np.float64], sd: NDArray[np.float64], gait: NDArray, failure: NDArray) -> Outcomes:
-    """Outcomes of the (n, repeats) arrays of `COUNTED`."""
-    fails = np.asarray(failure).astype(object) != ""
-    gaits = np.asarray(gait).astype(object)
-    counted = np.isfinite(rate) & ~fails
-    number = counted.sum(axis=1)
-    mean = np.where(counted, rate, 0.0).sum(axis=1) / np.maximum(number, 1)
-    off = np.where(counted, rate - mean[:, None], 0.0)
-    spread = np.sqrt((off**2).sum(axis=1) / np.maximum(number - 1, 1))
-    single = np.where(counted, sd, 0.0).sum(axis=1)
-    kinds = ("", *GAITS)
-    counts = np.stack([(gaits == kind).sum(axis=1) for kind in kinds], axis=1)
-    return Outcomes(
-        rate=np.where(number > 0, mean, np.nan),
-        spread=np.where(number > 1, spread, np.where(number == 1, single, np.nan)),
-        gait=[kinds[i] for i in counts.argmax(axis=1)],
-        failed=2 * fails.sum(axis=1) > fails.shape[1],
-    )
 
 
 def refined_parameter(sweep: Sweep) -> str:
@@ -87,7 +40,7 @@ def curves(points: Sequence[Point], along: str) -> dict[tuple[object, ...], list
     return {key: sorted(members, key=lambda i: float(points[i][along])) for key, members in found.items()}
 
 
-def propose(sweep: Sweep, points: Sequence[Point], shown: Outcomes) -> list[Point]:
+def propose(sweep: Sweep, points: Sequence[Point], shown: Ensemble) -> list[Point]:
     """Next points, most telling first; none when nothing is left to part.
 
     Depends on nothing but the points so far and what they showed, so that a campaign that is resumed goes the same way.
@@ -106,7 +59,7 @@ def propose(sweep: Sweep, points: Sequence[Point], shown: Outcomes) -> list[Poin
     return [point for *_, point in sorted(wanted, key=lambda w: w[:3])]
 
 
-def _telling(members: Sequence[int], shown: Outcomes) -> list[int]:
+def _telling(members: Sequence[int], shown: Ensemble) -> list[int]:
     """Gaps of a curve, by their left end, that part different outcomes or lie beside the peak."""
     kinds = [(bool(shown.failed[i]), "" if shown.failed[i] else shown.gait[i]) for i in members]
     gaps = {k for k in range(len(members) - 1) if kinds[k] != kinds[k + 1]}

@@ -13,9 +13,10 @@ from plategait.campaign.batch import Rows, variables
 from plategait.campaign.opened import Campaign, open_sweep
 from plategait.campaign.plan import Sweep, read_sweep
 from plategait.campaign.points import Point
-from plategait.campaign.refine import COUNTED, Outcomes, outcomes, propose, refined_parameter
+from plategait.campaign.refine import propose, refined_parameter
 from plategait.campaign.store import Store, open_to_write, with_coordinates
 from plategait.campaign.workers import Job, Workers, connect, here, on_dask
+from plategait.ensemble import TAKEN, Ensemble, together
 from plategait.errors import InputError
 
 # Runs of a batch at least, and for each core: enough to fill the engine's lanes.
@@ -150,8 +151,8 @@ class _Running:
         self.store.commit(batch, with_coordinates(rows, points[start:stop]))
         self.done[start:stop] = True
 
-    def _outcomes(self, count: int) -> Outcomes:
-        return outcomes(*(self.store.read(name, range(count)) for name in COUNTED))
+    def _outcomes(self, count: int) -> Ensemble:
+        return together(**{name: self.store.read(name, range(count)) for name in TAKEN})
 
     def _within(self, fraction: float) -> None:
         if self.progress is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from collections.abc import Callable
@@ -77,7 +78,10 @@ def simulate(
     ] = None,
     as_json: options.Json = False,
 ) -> None:
-    """Run one scenario: how fast it spins, in which gait, and whether it stays."""
+    """Run one scenario: how fast it spins, in which gait, and whether it stays.
+
+    Exit status 1 when any of its runs failed or has an energy that does not balance.
+    """
     from plategait import simulation
 
     check_outputs(
@@ -104,7 +108,7 @@ def simulate(
     report.print_json(result.summary() | ({"draws": drawn} if drawn else {})) if as_json else report.print_simulation(
         result, drawn
     )
-    raise typer.Exit(1 if result.failed else 0)
+    raise typer.Exit(0 if result.sound else 1)
 
 
 @app.command()
@@ -249,9 +253,10 @@ def _drawn(build: Callable[..., Scenario], draws: int, seed: int, engine: str) -
     scenarios = [build(generator=generator) for _ in range(draws)]
     with report.progress_bar("drawing") as progress:
         runs = simulation.simulate_all(scenarios, seed=seed, engine=engine, progress=progress)  # type: ignore[arg-type]
-    rates = np.degrees([r.spin_rate for r in runs if not r.failed])
+    failed = sum(r.failed for r in runs)
+    rates = np.degrees([r.spin_rate for r in runs if math.isfinite(r.spin_rate)])
     low, middle, high = np.quantile(rates, [0.025, 0.5, 0.975]).tolist() if len(rates) else (None, None, None)
-    return {"runs": draws, "failed": draws - len(rates), "spin_rate_deg_s": middle, "low": low, "high": high}
+    return {"runs": draws, "failed": failed, "spin_rate_deg_s": middle, "low": low, "high": high}
 
 
 def _write_pictures(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import statistics
 import sys
 import time
 from collections.abc import Iterator
@@ -11,6 +12,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from plategait.curve import Curve
+from plategait.energy import LEDGER_TOLERANCE
 from plategait.lorentz import LorentzFit
 from plategait.modes import Modes
 from plategait.simulation import Simulation
@@ -40,30 +42,40 @@ def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
     Console(width=None if sys.stdout.isatty() else 120).print(table)
 
 
-def _number(value: float | None, digits: int = 1) -> str:
-    return "–" if value is None or not math.isfinite(value) else f"{value:.{digits}f}"
+def _number(value: float | None, unit: str = "", digits: int = 1) -> str:
+    """A number with its unit; a dash where nothing was measured."""
+    return "–" if value is None or not math.isfinite(value) else f"{value:.{digits}f} {unit}".rstrip()
+
+
+def _interval(low: float | None, high: float | None, unit: str) -> str:
+    return "–" if low is None or high is None else f"{_number(low)} to {_number(high, unit)}"
+
+
+def _percent(share: float | None) -> str:
+    return _number(None if share is None else 100 * share, "%")
 
 
 def print_simulation(simulation: Simulation, drawn: dict[str, Any] | None = None) -> None:
     """Print what one simulation shows, and what draws of measured parameters make of its spin rate."""
     s, o = simulation.summary(), simulation.scenario
     low, high = s["spin_rate_interval_deg_s"]
-    spread = f" ± {_number(s['spin_rate_sd_deg_s'])} over {s['runs']} runs" if s["runs"] > 1 else ""
+    counted = f"{s['counted_runs']} of {s['runs']}" if s["failed_runs"] else str(s["runs"])
+    spread = f" ± {_number(s['spin_rate_sd_deg_s'])} over {counted} runs" if s["runs"] > 1 and s["counted_runs"] else ""
     rows = [
-        ["spin rate", f"{_number(s['spin_rate_deg_s'])} deg/s{spread}"],
-        ["95 % interval", f"{_number(low)} to {_number(high)} deg/s"],
+        ["spin rate", _number(s["spin_rate_deg_s"], "deg/s") + spread],
+        ["95 % interval", _interval(low, high, "deg/s")],
         *_drawn_row(drawn),
         ["settled", "yes" if s["settled"] else "no"],
         ["gait", s["gait"] or "–"],
-        ["failure", f"{s['failure']} at {s['failure_time_s']:.2f} s" if s["failed"] else "none"],
-        ["drift of the centre", f"{_number(s['drift_mm'])} mm"],
-        ["nodes in contact", f"{_number(100 * (s['contact_fraction'] or 0))} %"],
-        ["time in flight", f"{_number(100 * (s['flight_fraction'] or 0))} %"],
-        ["bending amplitude", f"{_number(s['bending_amplitude_deg'])} deg per joint"],
-        ["plate power", f"{_number(s['plate_power_mw'])} mW"],
-        ["energy unaccounted for", f"{100 * (s['energy_residual'] or 0):.2g} % of the work"],
+        ["failure", _failures(simulation)],
+        ["drift of the centre", _number(s["drift_mm"], "mm")],
+        ["nodes in contact", _percent(s["contact_fraction"])],
+        ["time in flight", _percent(s["flight_fraction"])],
+        ["bending amplitude", _number(s["bending_amplitude_deg"], "deg per joint")],
+        ["plate power", _number(s["plate_power_mw"], "mW")],
+        ["energy unaccounted for", _energy(simulation)],
         ["time step", f"{s['dt_s']:.3g} s, {s['steps']} steps"],
-        ["speed", f"{_number(s['simulated_s_per_wall_s'])} simulated seconds per second"],
+        ["speed", _number(s["simulated_s_per_wall_s"], "simulated seconds per second")],
     ]
     motion = o.motion
     print_table(
@@ -73,10 +85,30 @@ def print_simulation(simulation: Simulation, drawn: dict[str, Any] | None = None
     )
 
 
+def _failures(simulation: Simulation) -> str:
+    """Which failures there were, of how many of the runs, and when in the middle."""
+    runs = len(simulation.observations)
+    each = [
+        (f"{len(times)} of {runs} " if runs > 1 else "") + f"{kind} at {statistics.median(times):.2f} s"
+        for kind, times in simulation.failures.items()
+    ]
+    return ", ".join(each) or "none"
+
+
+def _energy(simulation: Simulation) -> str:
+    """Share of the energy given that is unaccounted for at worst, and whether that is too much."""
+    s = simulation.summary()
+    if s["energy_imbalance"] is None:
+        return "all of it: the motion ceased to be finite"
+    share = f"{100 * s['energy_imbalance']:.2g} % of what was given"
+    which = f" in {s['open_ledgers']} of {s['runs']} runs" if s["runs"] > 1 else ""
+    return share + ("" if s["energy_closed"] else f": DOES NOT BALANCE{which}, above {100 * LEDGER_TOLERANCE:g} %")
+
+
 def _drawn_row(drawn: dict[str, Any] | None) -> list[list[str]]:
     if drawn is None:
         return []
-    interval = f"{_number(drawn['low'])} to {_number(drawn['high'])} deg/s"
+    interval = _interval(drawn["low"], drawn["high"], "deg/s")
     failed = f", {drawn['failed']} of {drawn['runs']} fail" if drawn["failed"] else ""
     return [[f"over {drawn['runs']} draws of what was measured", interval + failed]]
 
@@ -87,9 +119,12 @@ def print_curve(curve: Curve) -> None:
     for i, frequency in enumerate(curve.frequency_hz):
         rows.append([
             f"{frequency:g}", _number(curve.spin_rate_deg_s[i]), _number(curve.spin_rate_sd_deg_s[i]),
-            curve.gait[i] or "–", curve.failure[i] or "–",
+            curve.gait[i] or "–", curve.failure_in_words[i] or "–",
         ])  # fmt: skip
     print_table(f"{curve.name}: spin rate over plate frequency", ["Hz", "deg/s", "sd", "gait", "failure"], rows)
+    open_at = [f"{s.scenario.motion.frequency:g}" for s in curve.simulations if s.open_ledgers]
+    if open_at:
+        print(f"THE ENERGY DOES NOT BALANCE within {100 * LEDGER_TOLERANCE:g} % at {', '.join(open_at)} Hz\n")
     print_fit(curve.fit, curve.no_fit)
 
 

@@ -82,6 +82,8 @@ def _print(campaign: Campaign) -> None:
     if "gaits" in s:
         rows.append(["gaits", ", ".join(f"{gait} {count}" for gait, count in s["gaits"].items())])
         rows.append(["failed", f"{s['failed_points']} points"])
+        rows.append(["failed in part", f"{s['partly_failed_points']} points"])
+        rows.append(["energy does not balance", f"{s['open_ledgers']} runs"])
     if "fastest" in s:
         from plategait.units import show
 

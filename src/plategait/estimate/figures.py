@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from plategait.ensemble import fails
 from plategait.estimate.parameters import Array
 from plategait.estimate.prediction import Prediction
 from plategait.estimate.result import Estimate
@@ -44,7 +45,7 @@ def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figu
 def _draw_curve(axes: Any, estimate: Estimate, prediction: Prediction) -> None:
     f, rates = prediction.frequency, prediction.rates
     with np.errstate(all="ignore"):
-        stays = (~prediction.failed).mean(axis=0) >= 0.5
+        stays = ~fails(prediction.failed.sum(axis=0), len(prediction.failed))
         low, middle, high = (_quantile(rates, q) for q in (0.05, 0.5, 0.95))
     axes.fill_between(f[stays], low[stays], high[stays], color=BLUE, alpha=0.2, lw=0, label="90 % of predictions")
     axes.plot(f[stays], middle[stays], color=BLUE, lw=1.4, label="median prediction")

@@ -108,7 +108,7 @@ def observe_curves(curves: Sequence[Curve], motions: Sequence[PlateMotion]) -> O
     points: list[tuple[Condition, float, float, bool]] = []
     notes: list[str] = []
     for curve, motion in zip(curves, motions, strict=True):
-        failed = np.array([bool(kind) for kind in curve.failure])
+        failed = curve.failed
         first = float(curve.frequency_hz[failed].min(initial=math.inf))
         turn = -1.0 if np.nansum(curve.spin_rate_deg_s[~failed]) < 0 else 1.0
         angles = curve.angle_deg if curve.angle_deg is not None else np.full(len(failed), math.nan)

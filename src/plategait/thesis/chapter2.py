@@ -77,15 +77,15 @@ def fig_2_11(spec: Spec, results: Results) -> Item:
     for thing, marker, colour in (("pancake", "s", draw.COLOURS[0]), ("rigid-twin", "o", draw.COLOURS[3])):
         runs = [results[Case(a, thing=thing)] for a in PANCAKE_ANGLES]
         rates[thing] = np.array([r.curve.spin_rate_deg_s[0] for r in runs])
-        failed[thing] = np.array([bool(r.curve.failure[0]) for r in runs])
+        failed[thing] = np.array([r.curve.failed[0] for r in runs])
         ok = ~failed[thing]
         sd = np.nan_to_num([r.curve.spin_rate_sd_deg_s[0] for r in runs])
         axes.errorbar(angles[ok], rates[thing][ok], sd[ok], fmt=f"{marker}-", mfc="white", color=colour, label=thing)
         if not ok.all():
             axes.plot(angles[~ok], np.zeros((~ok).sum()), "x", color=colour, label=f"{thing}: failed")
         rows += [
-            (thing, a, r.curve.spin_rate_deg_s[0], r.curve.spin_rate_sd_deg_s[0], r.curve.gait[0], r.curve.failure[0])
-            for a, r in zip(PANCAKE_ANGLES, runs, strict=True)
+            (thing, a, c.spin_rate_deg_s[0], c.spin_rate_sd_deg_s[0], c.gait[0], c.failure_in_words[0])
+            for a, c in zip(PANCAKE_ANGLES, (r.curve for r in runs), strict=True)
         ]
     known = ((16, "rigid_16"), (16, "soft_16"), (24, "soft_24"))
     axes.plot([a for a, _ in known], [published.single(n).value for _, n in known], **draw.PUBLISHED)

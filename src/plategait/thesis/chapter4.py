@@ -65,7 +65,7 @@ def fig_4_4(spec: Spec, results: Results) -> Item:
             rates.tolist(),
             runs.curve.spin_rate_sd_deg_s.tolist(),
             runs.curve.gait,
-            runs.curve.failure,
+            runs.curve.failure_in_words,
             strict=True,
         )
     )
@@ -98,7 +98,7 @@ def gait_order(runs: CaseRuns) -> Check:
     steps = [GAITS.index(g) for g, k in zip(runs.curve.gait, kept, strict=True) if k and g]
     order = all(a <= b for a, b in pairwise(steps))
     seen = " → ".join(GAITS[i] for i in sorted(set(steps)))
-    failed = any(runs.curve.failure)
+    failed = bool(runs.curve.failed.any())
     return Check(
         "gaits in order as the frequency rises",
         "sliding → walking → running → failed",

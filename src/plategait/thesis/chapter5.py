@@ -88,7 +88,7 @@ def fig_5_2(spec: Spec, results: Results) -> Item:
             results[case].curve.spin_rate_deg_s,
             results[case].curve.spin_rate_sd_deg_s,
             results[case].curve.gait,
-            results[case].curve.failure,
+            results[case].curve.failure_in_words,
             strict=True,
         )
     ]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from plategait.plots import mark
 from plategait.thesis.regressions import Regression
 from plategait.thesis.runs import CaseRuns
 
@@ -39,7 +40,10 @@ def plain(axes: Axes, x: str, y: str, title: str = "") -> None:
 
 
 def curve(axes: Axes, runs: CaseRuns, x: ArrayLike, colour: ColorType, label: str, fit: bool = False) -> None:
-    """Spin rates that did not fail, marked by gait, up to the run-off; with the spread over the starts."""
+    """Spin rates that did not fail, marked by gait, up to the run-off; with the spread over the starts.
+
+    Half-filled marks are of points at which some starts failed.
+    """
     shown, kept = runs.curve, runs.curve.fitted
     x = np.asarray(x, dtype=float)
     axes.plot(
@@ -51,21 +55,23 @@ def curve(axes: Axes, runs: CaseRuns, x: ArrayLike, colour: ColorType, label: st
         label=None if fit else label,
     )
     for gait, marker in GAIT_MARKERS.items():
-        here = kept & (np.array(shown.gait) == gait)
-        if here.any():
-            sd = np.nan_to_num(shown.spin_rate_sd_deg_s[here])
-            axes.errorbar(
-                x[here], shown.spin_rate_deg_s[here], sd, fmt=marker, ms=3.5, mfc="white", color=colour, lw=0.8
-            )
+        for in_part in (False, True):
+            here = kept & (np.array(shown.gait) == gait) & (shown.partly_failed == in_part)
+            if here.any():
+                sd, style = np.nan_to_num(shown.spin_rate_sd_deg_s[here]), mark(colour, in_part)
+                axes.errorbar(
+                    x[here], shown.spin_rate_deg_s[here], sd, fmt=marker, ms=3.5, color=colour, lw=0.8, **style
+                )
     if fit and runs.fit is not None and kept.any():
         grid = np.linspace(runs.fit_from, x[kept].max() + 2, 200)
         axes.plot(grid, runs.fit(grid), color=colour, lw=1.2, label=label)
 
 
 def gait_legend(axes: Axes) -> None:
-    """Say which marker is which gait."""
+    """Say which marker is which gait, and that half of it is filled where some starts failed."""
     for gait, marker in list(GAIT_MARKERS.items())[:3]:
         axes.plot([], [], marker, mfc="white", color="#7F7F7F", ms=4, label=gait)
+    axes.plot([], [], "s", ls="", ms=4, label="some starts failed", **mark("#7F7F7F", True))
 
 
 def scatter(

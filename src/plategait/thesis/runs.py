@@ -10,8 +10,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.curve import Curve
-from plategait.simulation import Observation, observe, simulate_all
+from plategait.curve import Curve, curve_of
+from plategait.observation import Observation, observe
+from plategait.simulation import simulate_all
 from plategait.thesis.cases import FIT_FROM, Case, fitted_cases
 from plategait.thesis.shape import Shape, fit_shape
 
@@ -43,7 +44,7 @@ class CaseRuns:
     @cached_property
     def curve(self) -> Curve:
         """Mean over the starts."""
-        return _curve(self.case, self.observations)
+        return curve_of(self.case.label, self.case.frequencies, self.observations)
 
     @property
     def fit_from(self) -> float:
@@ -57,13 +58,15 @@ class CaseRuns:
 
     def refit(self, fit_from: float, strict: bool = False) -> Shape | None:
         """Fit made otherwise: from another frequency, or with the source's own limit of drift."""
-        return _fit(_curve(self.case, self.strict) if strict else self.curve, fit_from)
+        shown = curve_of(self.case.label, self.case.frequencies, self.strict) if strict else self.curve
+        return _fit(shown, fit_from)
 
     @cached_property
     def member_fits(self) -> tuple[Shape | None, ...]:
         """Fit of each start by itself: how far chaos carries the numbers."""
-        members = range(len(self.observations[0]))
-        return tuple(_fit(_curve(self.case, tuple((o[m],) for o in self.observations)), self.fit_from) for m in members)
+        alone = ([(o[m],) for o in self.observations] for m in range(len(self.observations[0])))
+        curves = (curve_of(self.case.label, self.case.frequencies, each) for each in alone)
+        return tuple(_fit(curve, self.fit_from) for curve in curves)
 
     def member_spread(self, name: str) -> float:
         """Standard deviation over the starts of "f0_hz", "half_width_hz", "peak" or "b_over_f0"."""
@@ -91,36 +94,9 @@ def value_of(fit: Shape | None, name: str) -> float:
     return math.nan if fit is None else float(getattr(fit, name))
 
 
-def _curve(case: Case, observations: tuple[tuple[Observation, ...], ...]) -> Curve:
-    points = [_point(o) for o in observations]
-    return Curve(
-        name=case.label,
-        frequency_hz=np.array(case.frequencies),
-        spin_rate_deg_s=np.array([p[0] for p in points]),
-        spin_rate_sd_deg_s=np.array([p[1] for p in points]),
-        gait=tuple(p[2] for p in points),
-        failure=tuple(p[3] for p in points),
-    )
-
-
 def _fit(curve: Curve, fit_from: float) -> Shape | None:
     kept = curve.fitted & (curve.frequency_hz >= fit_from)
     return fit_shape(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept])
-
-
-def _point(observations: tuple[Observation, ...]) -> tuple[float, float, str, str]:
-    """Mean rate and its spread in deg/s, commonest gait and failure: most runs decide, the others are left out."""
-    failures = [o.failure.kind for o in observations if o.failure is not None]
-    failed = 2 * len(failures) > len(observations)
-    valid = [o for o in observations if failed or o.failure is None]
-    rates = np.degrees([o.spin.rate for o in valid if math.isfinite(o.spin.rate)])
-    gaits = [o.gait for o in valid]
-    return (
-        float(rates.mean()) if len(rates) else math.nan,
-        float(rates.std(ddof=1)) if len(rates) > 1 else math.nan,
-        max(sorted(set(gaits)), key=gaits.count),
-        max(sorted(set(failures)), key=failures.count) if failed else "",
-    )
 
 
 @dataclass(frozen=True, eq=False)

@@ -88,7 +88,7 @@ def fig_4_5(spec: Spec, results: Results) -> Item:
         draw.plain(axes, "plate periods", "", f"({letter}) {behaviour}, {frequency:g} Hz: leg in contact")
         curve = runs.curve
         i = runs.case.frequencies.index(frequency)
-        found = "failed" if curve.failure[i] else curve.gait[i]
+        found = "failed" if curve.failed[i] else curve.gait[i]
         checks.append(Check(f"{frequency:g} Hz", behaviour, found or "nothing measured", found == behaviour))
         picture, missing = _strip(simulation) if not math.isnan(np.sum(recording["centre_x"])) else (None, "diverged")
         if picture:
