@@ -50,13 +50,18 @@ PLATEGAIT_HD R reach_of(const Memory<R>& memory, R depth) {
   return select(carried, depth - memory.sunk, number<R>(-1));
 }
 
-/// Share of the way from a node over the plate to one beyond it, at which the line between them passes one pair of
-/// edges; beyond 1 where it does not.
+/// How a straight piece of the lattice passes one pair of edges, from its node over the plate to the one beyond.
 template <class R>
-PLATEGAIT_HD R way_to_edge(R inner, R outer, R half_size) {
-  const R zero = number<R>(0), out = outer - inner, limit = select(out < zero, zero - half_size, half_size);
+struct Passage {
+  R share;    // of the way, beyond 1 where it does not pass
+  R outward;  // signed distance covered along the axis, m
+};
+
+template <class R>
+PLATEGAIT_HD Passage<R> passage(R inner, R outer, R half_size) {
+  const R zero = number<R>(0), outward = outer - inner, limit = select(outward < zero, zero - half_size, half_size);
   const Mask<R> passes = (outer > half_size) | (zero - outer > half_size);
-  return select(passes, (limit - inner) / select(passes, out, number<R>(1)), number<R>(2));
+  return {select(passes, (limit - inner) / select(passes, outward, number<R>(1)), number<R>(2)), outward};
 }
 
 /// Where a straight piece of the lattice crosses the plate's edge.
@@ -64,18 +69,27 @@ template <class R>
 struct Crossing {
   Mask<R> there, first_over;  // whether it does; whether its first node is the one over the plate
   R near, far;                // weights of its first and second node at the crossing
-  R share, depth;             // part of the piece that lies on the plate; depth there, m
+  R share;                    // part of the piece that lies on the plate
+  R depth;                    // below the plate's corner, square to the piece, m
+  Vec3<R> normal;             // of the piece where it bends over the corner: its force moves the plate as it is moved
 };
 
 template <class R>
-PLATEGAIT_HD Crossing<R> edge_crossing(const Above<R>& a, const Above<R>& b, const R* parameter) {
+PLATEGAIT_HD Crossing<R> edge_crossing(const Above<R>& a, const Above<R>& b, const PlatePose<R>& plate, const R* parameter) {
   const R zero = number<R>(0), one = number<R>(1);
   const Mask<R> first = a.over & !b.over, second = b.over & !a.over;
-  const R along = way_to_edge(select(first, a.along, b.along), select(first, b.along, a.along), parameter[PLATE_HALF_LENGTH]);
-  const R across = way_to_edge(select(first, a.across, b.across), select(first, b.across, a.across), parameter[PLATE_HALF_WIDTH]);
-  const R share = larger(smaller(smaller(along, across), one), zero);
+  const Passage<R> along = passage(select(first, a.along, b.along), select(first, b.along, a.along), parameter[PLATE_HALF_LENGTH]);
+  const Passage<R> across = passage(select(first, a.across, b.across), select(first, b.across, a.across), parameter[PLATE_HALF_WIDTH]);
+  const R share = larger(smaller(smaller(along.share, across.share), one), zero);
   const R far = select(first, share, one - share), near = one - far;
-  return {first | second, first, near, far, share, near * a.depth + far * b.depth};
+  const R depth = near * a.depth + far * b.depth, sinks = select(first, b.depth - a.depth, a.depth - b.depth);
+  const Mask<R> ends = along.share < across.share;
+  const R outward = select(ends, along.outward, across.outward);
+  // A piece that falls off beyond the edge leans on the corner: its slope, with the sign of the axis it crosses.
+  const R slope = larger(sinks, zero) * outward / (outward * outward + number<R>(1e-20));
+  const R level = reciprocal_sqrt(one + slope * slope);
+  const Vec3<R> lean = slope * Vec3<R>{select(ends, plate.ex.x, plate.ey.x), select(ends, plate.ex.y, plate.ey.y), select(ends, plate.ex.z, plate.ey.z)};
+  return {first | second, first, near, far, share, level * depth, level * (plate.normal + lean)};
 }
 
 /// Depth of a crossing below where it touches, m; negative where nothing carries it.
@@ -123,7 +137,7 @@ PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R
       const int ka = topology.line_nodes[j], kb = topology.line_nodes[j + 1];
       a = b;
       b = above_plate(s.x.get(kb), plate, parameter);
-      const Crossing<R> c = edge_crossing(a, b, parameter);
+      const Crossing<R> c = edge_crossing(a, b, plate, parameter);
       if (!any_of(c.there)) continue;
       const Memory<R> before_a = recall(s, ka), before_b = recall(s, kb);
       const Memory<R> ma = hold_beyond(before_a, before_b, c.there & !c.first_over, c.depth);
@@ -135,9 +149,10 @@ PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R
       Vec3<R> pull = inverse_mass * (c.near * s.f.get(ka) + c.far * s.f.get(kb));
       pull.z = pull.z - parameter[GRAVITY];
       const Point<R> point = {c.near * s.v.get(ka) + c.far * s.v.get(kb), pull, (c.near * c.near + c.far * c.far) * inverse_mass};
-      const Ground<R> ground = ground_at(plate, next, r);
+      Ground<R> ground = ground_at(plate, next, r);
+      ground.normal = c.normal;
       const Touch<R> touch = touch_plate(surface, topology.features, point, ground, reach_of(c, ma, mb), c.share);
-      const Vec3<R> force = touch.normal * plate.normal - touch.drag;
+      const Vec3<R> force = touch.normal * c.normal - touch.drag;
       s.f.add(ka, c.near * force);
       s.f.add(kb, c.far * force);
 
@@ -158,7 +173,7 @@ PLATEGAIT_HD R edge_energy(const State<R>& s, const Topology& topology, const R*
   for (int i = 0; i < topology.n_axial_lines; i++)
     for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
       const int ka = topology.line_nodes[j], kb = topology.line_nodes[j + 1];
-      const Crossing<R> c = edge_crossing(above_plate(s.x.get(ka), plate, parameter), above_plate(s.x.get(kb), plate, parameter), parameter);
+      const Crossing<R> c = edge_crossing(above_plate(s.x.get(ka), plate, parameter), above_plate(s.x.get(kb), plate, parameter), plate, parameter);
       const R reach = larger(reach_of(c, recall(s, ka), recall(s, kb)), zero);
       stored += contact_energy(reach, c.share * parameter[CONTACT_STIFFNESS]);
     }
