@@ -1,8 +1,9 @@
 // The edge of a finite plate. It carries the sheet between its nodes, and what is beneath the plate stays beneath.
 //
-// Each node has a memory: `sunk`, the depth at which the plate's surface would have to lie for it to touch. It is zero
-// for a sheet that lies on the plate or hangs over its edge; a node that comes in from beside the plate brings its whole
-// depth along, and so finds nothing to stand on.
+// Each node has a memory. `sunk` is the depth at which the plate's surface would have to lie for it to touch: zero for a
+// sheet that lies on the plate or hangs over its edge; a node that comes in from beside the plate brings its whole depth
+// along, and so finds nothing to stand on. And since a contact deepens little by little, what is found deep at once was
+// never on the plate.
 #pragma once
 
 #include "touch.hpp"
@@ -11,8 +12,9 @@ namespace plategait {
 
 /// Deeper than this a node is beneath the plate, not on it, m: some ten times what a landing presses in.
 constexpr double BENEATH = 1e-3;
-/// A sheet whose line passes the edge no deeper than this hangs over it, m: what a resting sheet presses in.
-constexpr double HANGS_OVER = 1e-4;
+/// A contact deepens by less than this in a step, m: 1 m/s times the largest step. A piece of the sheet that passes the
+/// edge no deeper hangs over it.
+constexpr double DEEPENS = 1e-4;
 
 /// A node as the plate sees it.
 template <class R>
@@ -30,11 +32,11 @@ PLATEGAIT_HD Above<R> above_plate(Vec3<R> x, const PlatePose<R>& plate, const R*
           (along < length) & (zero - along < length) & (across < width) & (zero - across < width)};
 }
 
-/// What the edge remembers of a node: `sunk` in m; 1 while it is `over` the plate; 1 while a neighbour on the plate
-/// holds it beside the edge.
+/// What the edge remembers of a node: `sunk`, m, and how the plate carries it now and carried it the step before: by
+/// −(1 + reach) where it is over the plate, by 1 + reach where a neighbour on the plate holds it beyond the edge, else 0.
 template <class R>
 struct Memory {
-  R sunk, over, held;
+  R sunk, before, now;
 };
 
 template <class R>
@@ -43,10 +45,22 @@ PLATEGAIT_HD Memory<R> recall(const State<R>& s, int k) {
   return {m.x, m.y, m.z};
 }
 
+template <class R>
+PLATEGAIT_HD void remember(const State<R>& s, int k, const Memory<R>& m) {
+  s.edge.set(k, {m.sunk, m.before, m.now});
+}
+
+/// Depth that a contact may have by now, m, from how deep it was a step before.
+template <class R>
+PLATEGAIT_HD R deepest(R carried_before) {
+  const R size = larger(carried_before, number<R>(0) - carried_before);
+  return larger(size - number<R>(1), number<R>(0)) + number<R>(DEEPENS);
+}
+
 /// Depth of a node below where it touches, m; negative where nothing carries it.
 template <class R>
 PLATEGAIT_HD R reach_of(const Memory<R>& memory, R depth) {
-  const Mask<R> carried = (memory.over > number<R>(0.5)) & (memory.sunk < number<R>(BENEATH));
+  const Mask<R> carried = (memory.now < number<R>(-0.5)) & (memory.sunk < number<R>(BENEATH));
   return select(carried, depth - memory.sunk, number<R>(-1));
 }
 
@@ -95,22 +109,26 @@ PLATEGAIT_HD Crossing<R> edge_crossing(const Above<R>& a, const Above<R>& b, con
 /// Depth of a crossing below where it touches, m; negative where nothing carries it.
 template <class R>
 PLATEGAIT_HD R reach_of(const Crossing<R>& c, const Memory<R>& a, const Memory<R>& b) {
-  const Mask<R> carried = c.there & (a.sunk < number<R>(BENEATH)) & (b.sunk < number<R>(BENEATH));
-  return select(carried, c.depth - (c.near * a.sunk + c.far * b.sunk), number<R>(-1));
+  const R reach = c.depth - (c.near * a.sunk + c.far * b.sunk), beneath = number<R>(BENEATH);
+  const Mask<R> deepened = reach < deepest(select(c.first_over, b.before, a.before));
+  return select(c.there & deepened & (a.sunk < beneath) & (b.sunk < beneath), reach, number<R>(-1));
 }
 
 /// Renew the memory of every node. Returns whether any is beyond the plate's edge, in any lane.
 template <class R>
 PLATEGAIT_HD bool see_edge(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate) {
-  const R zero = number<R>(0), one = number<R>(1), beneath = number<R>(BENEATH);
+  const R zero = number<R>(0), one = number<R>(1), half = number<R>(0.5), beneath = number<R>(BENEATH);
   bool beyond = false;
   for (int k = 0; k < topology.n_nodes; k++) {
     const Above<R> node = above_plate(s.x.get(k), plate, parameter);
-    const Memory<R> before = recall(s, k);
+    const Memory<R> m = recall(s, k);
     const R depth = larger(node.depth, zero);
-    // Beneath the plate, or beside it with nothing on the plate to hold it, a node brings its depth along.
-    const R lost = select(node.over, before.sunk, select(before.held > zero, zero, beneath));
-    s.edge.set(k, {select(lost < beneath, smaller(before.sunk, depth), depth), select(node.over, one, zero), zero});
+    // Beneath the plate, or beside it and not carried the step before, a node brings its depth along; so it does, but
+    // for what it was held by, where it comes in over the plate.
+    const R lost = select(node.over, m.sunk, select((m.now < half) & (zero - m.now < half), beneath, zero));
+    const R entered = select(node.over & (m.now > zero - half), depth - deepest(m.now), zero);
+    const R sunk = select(lost < beneath, larger(smaller(m.sunk, depth), entered), depth);
+    remember(s, k, {sunk, m.now, select(node.over, zero - one - (depth - smaller(sunk, depth)), zero)});
     beyond = beyond | any_of(!node.over);
   }
   return beyond;
@@ -119,11 +137,15 @@ PLATEGAIT_HD bool see_edge(const State<R>& s, const Topology& topology, const R*
 /// A piece that crosses the edge from a node on the plate holds the one beyond; one that passes the edge above the
 /// surface hangs over it, wherever it was before.
 template <class R>
-PLATEGAIT_HD Memory<R> hold_beyond(Memory<R> outer, const Memory<R>& inner, Mask<R> crosses, R depth) {
-  const Mask<R> holds = crosses & (inner.sunk < number<R>(BENEATH));
-  outer.held = select(holds, number<R>(1), outer.held);
-  outer.sunk = select(holds & (depth < number<R>(HANGS_OVER)), number<R>(0), outer.sunk);
-  return outer;
+PLATEGAIT_HD void hold_beyond(const Crossing<R>& c, Memory<R>& a, Memory<R>& b) {
+  const R zero = number<R>(0), one = number<R>(1), beneath = number<R>(BENEATH);
+  const Mask<R> over = c.there & (c.depth < number<R>(DEEPENS));
+  b.sunk = select(over & c.first_over & (a.sunk < beneath), zero, b.sunk);
+  a.sunk = select(over & !c.first_over & (b.sunk < beneath), zero, a.sunk);
+  const R reach = reach_of(c, a, b);
+  const R held = select(over | (reach > zero), one + larger(reach, zero), zero);
+  b.now = select(c.there & c.first_over & (a.sunk < beneath), larger(b.now, held), b.now);
+  a.now = select(c.there & !c.first_over & (b.sunk < beneath), larger(a.now, held), a.now);
 }
 
 /// The edge carries the pieces of the lattice that cross it: forces on their nodes, and which legs touch.
@@ -139,11 +161,10 @@ PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R
       b = above_plate(s.x.get(kb), plate, parameter);
       const Crossing<R> c = edge_crossing(a, b, plate, parameter);
       if (!any_of(c.there)) continue;
-      const Memory<R> before_a = recall(s, ka), before_b = recall(s, kb);
-      const Memory<R> ma = hold_beyond(before_a, before_b, c.there & !c.first_over, c.depth);
-      const Memory<R> mb = hold_beyond(before_b, before_a, c.there & c.first_over, c.depth);
-      s.edge.set(ka, {ma.sunk, ma.over, ma.held});
-      s.edge.set(kb, {mb.sunk, mb.over, mb.held});
+      Memory<R> ma = recall(s, ka), mb = recall(s, kb);
+      hold_beyond(c, ma, mb);
+      remember(s, ka, ma);
+      remember(s, kb, mb);
 
       const Vec3<R> r = c.near * s.x.get(ka) + c.far * s.x.get(kb) - plate.origin;
       Vec3<R> pull = inverse_mass * (c.near * s.f.get(ka) + c.far * s.f.get(kb));

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,8 @@ FAILURES = ("slipped", "turned over", "folded", "left the plate", "diverged")
 SHORTEST_STRIDE = 0.01
 # A sheet is folded when its halves hide this much of its area from its own mean plane.
 FOLDED_AREA = 0.5
+# Centre this far below the plate's surface, m: no sheet that the plate carries lies so deep in it.
+HANGING_DEPTH = 1e-3
 # Blocks of whole periods that the spin rate's interval is made from.
 BLOCKS = 8
 # A run has settled when its two halves agree within this share, or within this rate.
@@ -52,10 +54,27 @@ class SpinRate:
 
 @dataclass(frozen=True)
 class Failure:
-    """How a run failed, and when (s)."""
+    """How a run failed, and when (s).
+
+    Attributes
+    ----------
+    kind : str
+        One of `FAILURES`.
+    time : float
+        When, s.
+    first_sign : float, optional
+        When anything first went wrong, s, where that was before: a sheet that falls off the plate has slipped on its
+        way. What a run shows is measured up to there.
+    """
 
     kind: str
     time: float
+    first_sign: float = math.inf
+
+    @property
+    def sound_until(self) -> float:
+        """End of what can be measured, s."""
+        return min(self.time, self.first_sign)
 
 
 def rotation(cross: Series, dot: Series) -> Series:
@@ -172,7 +191,9 @@ def first_failure(
     """First thing that went wrong in a run, or None.
 
     Failed are: the centre slipped further than the limit, or the sheet turned over (the dissertation's two, section
-    4.3); also a sheet that folded, left the plate, or ceased to be finite.
+    4.3); also a sheet that folded, left the plate, or ceased to be finite. A sheet has left the plate once its centre is
+    beyond the edge, or once it folds or turns over hanging from it; one that slips first, on its way off, is told by
+    where it ended, with the slip as the first sign.
 
     Parameters
     ----------
@@ -194,16 +215,22 @@ def first_failure(
         # The swing of the last half period is not averaged out: it may look like a slip.
         averaged = (time[:last] <= time[last - 1] - period / 2) | (time[last - 1] < period)
         signs.append(("slipped", averaged & (slip(time[:last], x[:last], y[:last], period) > slip_limit)))
+    beyond = hanging = np.zeros(last, dtype=bool)
+    if plate_size is not None:
+        beyond = (np.abs(x[:last]) > plate_size[0] / 2) | (np.abs(y[:last]) > plate_size[1] / 2)
+        if "centre_z" in channels:
+            hanging = channels["centre_z"][:last] < -HANGING_DEPTH
     if "area_z" in channels and channels["area_z"][0] > 0:
         area = np.stack([channels[f"area_{axis}"][:last] for axis in "xyz"])
         size = np.linalg.norm(area, axis=0)
-        signs.append(("folded", size < FOLDED_AREA))
-        signs.append(("turned over", (size >= FOLDED_AREA) & (area[2] < 0)))
-    if plate_size is not None:
-        signs.append(
-            ("left the plate", (np.abs(x[:last]) > plate_size[0] / 2) | (np.abs(y[:last]) > plate_size[1] / 2))
-        )
+        folded, over = size < FOLDED_AREA, (size >= FOLDED_AREA) & (area[2] < 0)
+        beyond = beyond | (hanging & (folded | over))
+        signs += [("folded", folded & ~hanging), ("turned over", over & ~hanging)]
+    signs.append(("left the plate", beyond))
     found = [Failure(kind, float(time[np.argmax(sign)])) for kind, sign in signs if sign.any()]
     if diverged or last < len(time):
         found.append(Failure("diverged", float(time[max(last - 1, 0)])))
-    return min(found, key=lambda failure: failure.time, default=None)
+    first = min(found, key=lambda failure: failure.time, default=None)
+    if first is not None and first.kind == "slipped":
+        return next((replace(f, first_sign=first.time) for f in found if f.kind == "left the plate"), first)
+    return first

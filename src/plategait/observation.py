@@ -37,7 +37,7 @@ def observe(scenario: Scenario, recording: Recording) -> Observation:
     plate = (scenario.plate.length, scenario.plate.width) if scenario.plate else None
     failure = observables.first_failure(channels, period, scenario.slip_limit, plate, recording.diverged)
     times, start = channels["time"], scenario.measured_from
-    end = float(times[-1]) if failure is None else failure.time
+    end = float(times[-1]) if failure is None else failure.sound_until
     angle = observables.rotation(channels["spin_cross"], channels["spin_dot"])
     whole = max(0, math.floor((end - start) / period + 1e-6))
     start_whole = end - whole * period

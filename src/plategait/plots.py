@@ -163,7 +163,7 @@ def _draw_rotation(axes: Axes, simulation: Simulation) -> None:
     spin, recording = simulation.observations[0].spin, simulation.recordings[0]
     if math.isfinite(spin.rate):
         failure = simulation.observations[0].failure
-        start, end = simulation.scenario.measured_from, failure.time if failure else recording["time"][-1]
+        start, end = simulation.scenario.measured_from, failure.sound_until if failure else recording["time"][-1]
         angle = np.degrees(observables.rotation(recording["spin_cross"], recording["spin_dot"]))
         window = np.array([start, end])
         middle = np.interp(window.mean(), recording["time"], angle)
@@ -195,7 +195,7 @@ def _draw_slip(axes: Axes, simulation: Simulation) -> None:
 def _draw_legs(axes: Axes, simulation: Simulation) -> None:
     recording, period = simulation.recordings[0], simulation.scenario.motion.period
     failure = simulation.observations[0].failure
-    end = failure.time if failure else recording["time"][-1]
+    end = failure.sound_until if failure else recording["time"][-1]
     last = (recording["time"] > end - STRIDES * period) & (recording["time"] <= end)
     time = 1e3 * recording["time"][last]
     for row, (channel, label, colour) in enumerate(

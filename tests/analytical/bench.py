@@ -9,7 +9,7 @@ from plategait.engine import cpu
 from plategait.engine.recording import Recording, Run
 from plategait.motion import PlateMotion
 from plategait.outline import Rectangle
-from plategait.scenario import Scenario
+from plategait.scenario import Plate, Scenario
 from plategait.sheet import Sheet
 
 STILL = PlateMotion(frequency=100.0, angle=0.0, stroke=0.0, ramp=0.0)
@@ -38,12 +38,13 @@ def run(
     gravity: float = 9.81,
     contact: Contact | None = None,
     friction: Friction | None = None,
+    plate: Plate | None = None,
     snapshots: bool = False,
 ) -> Recording:
     """Advance one sheet from given positions and velocities."""
     scenario = Scenario(
         sheet=sheet, motion=motion, duration=duration, time_step=dt, gravity=gravity,
-        contact=contact or Contact(), friction=friction or Friction(),
+        contact=contact or Contact(), friction=friction or Friction(), plate=plate,
     )  # fmt: skip
     if snapshots:
         # Samples follow the plate's period: a still plate of that frequency is sampled at every step.

@@ -177,7 +177,7 @@ def _advance(
     stride = np.array([r.stride for r in runs], dtype=np.int64)
     thinning = np.array([r.thinning for r in runs], dtype=np.int64)
     n_samples, n_snapshots = max(r.samples for r in runs), max(r.pictures for r in runs)
-    x0, v0 = (np.stack(vectors) for vectors in zip(*(r.start() for r in runs), strict=True))
+    x0, v0 = (np.stack(vectors).copy(order="C") for vectors in zip(*(r.start() for r in runs), strict=True))
     samples = np.full((n, n_samples, len(_native.CHANNELS)), np.nan, dtype=precision)
     snapshots = np.zeros((n, n_snapshots, lattice.n_nodes, 3), dtype=np.float32)
     x1, v1, steps_done = np.zeros_like(x0), np.zeros_like(x0), np.zeros(n, dtype=np.int64)
