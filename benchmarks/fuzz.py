@@ -22,8 +22,8 @@ import time
 import traceback
 import warnings
 from collections import Counter
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 
@@ -49,40 +49,38 @@ class Case:
 
     outcome: str
     problem: str = ""
-    given: str = ""
 
 
 # Scenarios -----------------------------------------------------------------------------------------------------------
 
 
-def try_scenario(seed: int, index: int) -> Case:
+def try_scenario(seed: int, index: int, tell: Callable[[str], None]) -> Case:
     """Make and run one scenario, in some cases from several starts or beside another one."""
     draw = Draw(np.random.default_rng((seed, KINDS.index("scenario"), index)))
     fields = scenario_fields(draw)
-    given = pprint.pformat(fields, width=120)
+    tell(pprint.pformat(fields, width=120))
     try:
         scenario = Scenario(**fields)
-        given = write_scenario(scenario)
         if scenario.sheet.lattice.n_nodes > LARGEST_SHEET:
-            return Case("too large to run", "", given)
+            return Case("too large to run")
         scenarios = [_cut(scenario)]
         if draw.chance(0.2):
             scenarios.append(_cut(scenario.replace(motion=motion_fields(draw))))
+        tell("\n".join(write_scenario(s) for s in scenarios))
         found = simulate_all(
             scenarios, repeats=draw.whole(1, 3), seed=draw.whole(0, 9), engine=draw.choice(["cpu", "cpu64"]),
             threads=draw.choice([None, 1, 2, 5]), snapshot_interval=draw.choice([0.0, 0.0, 2e-3, 1e-30, 1e30]),
         )  # fmt: skip
-        given = "\n".join(write_scenario(s) for s in scenarios)
         wrong = [w for simulation in found for w in _nonsense(simulation)]
         if draw.chance(0.1):
             wrong += _unlike_its_file(scenario)
         if draw.chance(0.01):
             found[0].to_dataset()
     except InputError as error:
-        return Case("refused", _unfit_message(str(error)), given)
+        return Case("refused", _unfit_message(str(error)))
     except Exception:
-        return Case("raised", traceback.format_exc(), given)
-    return Case("failed" if any(s.failed for s in found) else "ran", "; ".join(wrong), given)
+        return Case("raised", traceback.format_exc())
+    return Case("failed" if any(s.failed for s in found) else "ran", "; ".join(wrong))
 
 
 def _cut(scenario: Scenario) -> Scenario:
@@ -123,7 +121,7 @@ def _unfit_message(message: str) -> str:
 # Commands ------------------------------------------------------------------------------------------------------------
 
 
-def try_command(seed: int, index: int) -> Case:
+def try_command(seed: int, index: int, tell: Callable[[str], None]) -> Case:
     """Run one command, most in this process."""
     draw = Draw(np.random.default_rng((seed, KINDS.index("command"), index)))
     fields = scenario_fields(draw)
@@ -133,13 +131,13 @@ def try_command(seed: int, index: int) -> Case:
         text = json.dumps(fields, default=str)  # no TOML, which is a case too
     with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
         arguments = command(draw, Path(folder), text)
-        given = f"{arguments}\n{Path('fuzz.toml').read_text(encoding='utf-8')[:5000]}"
+        tell(f"{arguments}\n{Path('fuzz.toml').read_text(encoding='utf-8')}")
         try:
             status, printed, errors = (_in_its_own_process if index % SUBPROCESSES == 0 else _in_this_process)(
                 arguments
             )
         except Exception:
-            return Case("raised", traceback.format_exc(), given)
+            return Case("raised", traceback.format_exc())
     wrong = [f"status {status}"] if status not in (0, 1, 2) else []
     if "Traceback" in printed + errors:
         wrong.append("a traceback: " + errors[-2000:])
@@ -148,7 +146,7 @@ def try_command(seed: int, index: int) -> Case:
         wrong += [] if errors.startswith("plategait: ") else [f"standard error {errors[:LONGEST_LINE]!r}"]
     if status in (0, 1) and "--json" in arguments and "--version" not in arguments:
         wrong += [] if _is_json(printed) else [f"no JSON: {printed[:LONGEST_LINE]!r}"]
-    return Case(f"status {status}", "; ".join(wrong), given)
+    return Case(f"status {status}", "; ".join(wrong))
 
 
 def _is_json(text: str) -> bool:
@@ -190,7 +188,7 @@ TRIALS = {"scenario": try_scenario, "command": try_command}
 
 
 def work(connection: Connection, seed: int, cases: list[tuple[str, int]], memory: float) -> None:
-    """Run cases one after the other, telling when each begins and what became of it."""
+    """Run cases one after the other, telling when each begins, what it is, and what became of it."""
     if memory:
         import resource
 
@@ -200,71 +198,70 @@ def work(connection: Connection, seed: int, cases: list[tuple[str, int]], memory
     with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
         for kind, index in cases:
             connection.send((kind, index))
-            connection.send(TRIALS[kind](seed, index))
+            connection.send(TRIALS[kind](seed, index, connection.send))
     connection.send(None)
 
 
-@dataclass
 class Worker:
-    """A process with its share of the cases, made anew when one of them ends it."""
+    """A process with its share of the cases, which another one takes over where it is lost."""
 
-    seed: int
-    memory: float
-    cases: list[tuple[str, int]]
-    busy_since: float = 0.0
-    connection: Connection = field(init=False)
-    process: multiprocessing.Process = field(init=False)
-
-    def __post_init__(self) -> None:
+    def __init__(self, seed: int, memory: float, cases: list[tuple[str, int]]) -> None:
         context = multiprocessing.get_context("spawn")
+        self.seed, self.memory, self.cases = seed, memory, cases
         self.connection, theirs = context.Pipe()
-        self.process = context.Process(target=work, args=(theirs, self.seed, self.cases, self.memory))  # type: ignore[assignment]
+        self.process = context.Process(target=work, args=(theirs, seed, cases, memory))
         self.process.start()
         theirs.close()
-        self.busy_since = time.monotonic()
+        self.current, self.given, self.heard = cases[0], "", time.monotonic()
+        self.done = self.lost = False
 
-    def after(self, case: tuple[str, int]) -> Worker | None:
-        """Another one for the cases after this one."""
-        self.process.kill()
+    def answer(self) -> Case | None:
+        """Take what the process says: a case that ended, or None."""
+        try:
+            message = self.connection.recv()
+        except EOFError:
+            self.process.join()
+            self.lost = True
+            return Case("lost", f"the process ended with status {self.process.exitcode}")
+        self.heard = time.monotonic()
+        if isinstance(message, Case):
+            return message
+        if isinstance(message, str):
+            self.given = message
+        elif message is None:
+            self.done = True
+        else:
+            self.current, self.given = message, ""
+        return None
+
+    def overdue(self, limit: float) -> Case | None:
+        """Whether nothing has been heard for too long."""
+        self.lost = time.monotonic() - self.heard > limit
+        return Case("lost", f"no answer within {limit:g} s") if self.lost else None
+
+    def successors(self) -> list[Worker]:
+        """End the process; another one takes the cases after the current one."""
+        if self.lost:
+            self.process.kill()
         self.process.join()
-        rest = self.cases[self.cases.index(case) + 1 :]
-        return Worker(self.seed, self.memory, rest) if rest else None
+        rest = self.cases[self.cases.index(self.current) + 1 :]
+        return [Worker(self.seed, self.memory, rest)] if self.lost and rest else []
 
 
 def run_cases(
     seed: int, cases: list[tuple[str, int]], n_workers: int, memory: float, limit: float
-) -> Iterator[tuple[str, int, Case]]:
-    """What became of each case, in the order in which they end; `limit` is how long one may take, s."""
+) -> Iterator[tuple[str, int, Case, str]]:
+    """What became of each case, and what it was, as they end; `limit` is how long one may take, s."""
     workers = [Worker(seed, memory, cases[i::n_workers]) for i in range(n_workers) if cases[i::n_workers]]
-    current = {id(w): w.cases[0] for w in workers}
     while workers:
         ready = wait([w.connection for w in workers], timeout=0.5)
         for worker in list(workers):
-            lost = ""
-            if worker.connection in ready:
-                try:
-                    message = worker.connection.recv()
-                except EOFError:
-                    worker.process.join()
-                    lost = f"the process ended with status {worker.process.exitcode}"
-                else:
-                    worker.busy_since = time.monotonic()
-                    if isinstance(message, Case):
-                        yield *current[id(worker)], message
-                    elif message is None:
-                        workers.remove(worker)
-                        worker.process.join()
-                    else:
-                        current[id(worker)] = message
-            elif time.monotonic() - worker.busy_since > limit:
-                lost = f"no answer within {limit:g} s"
-            if lost:
-                case = current[id(worker)]
-                yield *case, Case("lost", lost)
+            case = worker.answer() if worker.connection in ready else worker.overdue(limit)
+            if case is not None:
+                yield *worker.current, case, worker.given
+            if worker.lost or worker.done:
                 workers.remove(worker)
-                if another := worker.after(case):
-                    workers.append(another)
-                    current[id(another)] = another.cases[0]
+                workers += worker.successors()
 
 
 def main() -> int:
@@ -284,12 +281,12 @@ def main() -> int:
         cases = [("scenario", i) for i in range(told.scenarios)] + [("command", i) for i in range(told.commands)]
     outcomes: Counter[tuple[str, str]] = Counter()
     problems, begun = 0, time.monotonic()
-    for kind, index, case in run_cases(told.seed, cases, max(1, told.workers), told.memory, told.limit):
+    for kind, index, case, given in run_cases(told.seed, cases, max(1, told.workers), told.memory, told.limit):
         outcomes[kind, case.outcome] += 1
         problems += bool(case.problem)
         if case.problem or told.only:
-            print(f"--- {kind}:{index} of seed {told.seed}: {case.outcome}; {case.problem or 'nothing wrong'}")
-            print(f"{case.given}", flush=True)
+            print(f"--- {kind}:{index} of seed {told.seed}: {case.outcome}; {case.problem[:4000] or 'nothing wrong'}")
+            print(given[:8000], flush=True)
     for kind in KINDS:
         counts = {outcome: n for (k, outcome), n in sorted(outcomes.items()) if k == kind}
         if counts:
