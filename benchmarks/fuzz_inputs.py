@@ -83,8 +83,8 @@ def scenario_fields(draw: Draw) -> dict[str, Any]:
     fields |= {"transient": draw.number(draw.uniform(0, 0.02))} if draw.chance(0.3) else {}
     fields |= {"time_step": draw.number(draw.near(3e-5), "s")} if draw.chance(0.3) else {}
     fields |= {"slip_limit": draw.length(0.01)} if draw.chance(0.2) else {}
-    fields |= {draw.word("friktion", "sheet.mass", "x"): 1} if draw.chance(draw.wildness / 4) else {}
-    return {str(name): value for name, value in fields.items()}
+    fields |= {str(draw.word("friktion", "sheet.mass", "x")): 1} if draw.chance(draw.wildness / 4) else {}
+    return fields
 
 
 def sheet_fields(draw: Draw) -> dict[str, Any]:

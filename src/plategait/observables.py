@@ -237,12 +237,12 @@ def first_failure(
     return min(found, key=lambda failure: failure.time, default=None)
 
 
+@np.errstate(invalid="ignore", over="ignore")  # a diverged run's energies may be infinite
 def energy_ledger(channels: Mapping[str, Series]) -> EnergyLedger:
     """Where the plate's work went over a whole recording, from its energy channels."""
 
     def gain(name: str) -> float:
-        # In Python's numbers, where ∞ − ∞ of a diverged run is a quiet NaN.
-        return float(channels[name][-1]) - float(channels[name][0])
+        return float(channels[name][-1] - channels[name][0])
 
     def total(name: str) -> float:
         return float(np.sum(channels[name]))

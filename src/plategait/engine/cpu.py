@@ -202,7 +202,8 @@ def _advance(
             Recording(
                 channels=channels, snapshot_time=channels["time"][every][:pictured], snapshots=snapshots[j, :pictured],
                 plate_pose=pose[every][:pictured], positions=x1[j], velocities=v1[j], dt=r.scenario.dt,
-                steps=int(steps_done[j]), diverged=bool(steps_done[j] < steps[j] or not np.isfinite(x1[j]).all()),
+                steps=int(steps_done[j]),
+                diverged=bool(steps_done[j] < steps[j] or not np.isfinite(x1[j]).all() or not np.isfinite(series).all()),
             )
         )  # fmt: skip
     return recordings
