@@ -9,188 +9,24 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import io
-import json
-import math
 import multiprocessing
 import os
-import pprint
-import subprocess
 import sys
 import tempfile
 import time
-import traceback
 import warnings
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
-from pathlib import Path
 
-import numpy as np
-
-from benchmarks.fuzz_inputs import Draw, command, motion_fields, scenario_fields
-from plategait import cli
+from benchmarks.fuzz_trials import KINDS, TRIALS, Case
 from plategait.engine import cpu
-from plategait.errors import InputError
-from plategait.scenario import Scenario, read_scenario, write_scenario
-from plategait.simulation import Simulation, simulate_all
 
-LONGEST_LINE = 1000  # characters of a message
-NODE_STEPS = 400_000  # of a scenario: longer ones are cut, so that thousands take minutes
-LARGEST_SHEET = 20_000  # nodes; larger ones are described, not run
-SUBPROCESSES = 25  # one command in so many is run as its own process
-KINDS = ("scenario", "command")
-
-
-@dataclass
-class Case:
-    """What became of a case: an outcome to count, and what was wrong with it."""
-
-    outcome: str
-    problem: str = ""
-    given: str = ""
-
-
-# Scenarios -----------------------------------------------------------------------------------------------------------
-
-
-def try_scenario(seed: int, index: int) -> Case:
-    """Make and run one scenario, in some cases from several starts or beside another one."""
-    draw = Draw(np.random.default_rng((seed, KINDS.index("scenario"), index)))
-    fields = scenario_fields(draw)
-    given = pprint.pformat(fields, width=120)
-    try:
-        scenario = Scenario(**fields)
-        given = write_scenario(scenario)
-        if scenario.sheet.lattice.n_nodes > LARGEST_SHEET:
-            return Case("too large to run", "", given)
-        scenarios = [_cut(scenario)]
-        if draw.chance(0.2):
-            scenarios.append(_cut(scenario.replace(motion=motion_fields(draw))))
-        found = simulate_all(
-            scenarios, repeats=draw.whole(1, 3), seed=draw.whole(0, 9), engine=draw.choice(["cpu", "cpu64"]),
-            threads=draw.choice([None, 1, 2, 5]), snapshot_interval=draw.choice([0.0, 0.0, 2e-3, 1e-30, 1e30]),
-        )  # fmt: skip
-        given = "\n".join(write_scenario(s) for s in scenarios)
-        wrong = [w for simulation in found for w in _nonsense(simulation)]
-        if draw.chance(0.1):
-            wrong += _unlike_its_file(scenario)
-        if draw.chance(0.01):
-            found[0].to_dataset()
-    except InputError as error:
-        return Case("refused", _unfit_message(str(error)), given)
-    except Exception:
-        return Case("raised", traceback.format_exc(), given)
-    return Case("failed" if any(s.failed for s in found) else "ran", "; ".join(wrong), given)
-
-
-def _cut(scenario: Scenario) -> Scenario:
-    most = NODE_STEPS / scenario.sheet.lattice.n_nodes * scenario.dt
-    return scenario if scenario.duration <= most else scenario.replace(duration=most, transient=None)
-
-
-def _nonsense(simulation: Simulation) -> Iterator[str]:
-    """Numbers that are not finite without a status, and shares that are none."""
-    summary = simulation.summary()
-    json.dumps(summary, allow_nan=False)
-    for key in ("contact_fraction", "flight_fraction"):
-        if summary[key] is not None and not 0 <= summary[key] <= 1.0001:
-            yield f"{key} {summary[key]}"
-    for recording, observation in zip(simulation.recordings, simulation.observations, strict=True):
-        arrays = {**recording.channels, "positions": recording.positions, "velocities": recording.velocities,
-                  "snapshots": recording.snapshots}  # fmt: skip
-        strange = [name for name, values in arrays.items() if not np.isfinite(values).all()]
-        if strange and observation.failure is None:
-            yield f"not finite without a status: {', '.join(strange)}"
-        if observation.failure is not None and not math.isfinite(observation.failure.time):
-            yield f"failure at {observation.failure.time}"
-
-
-def _unlike_its_file(scenario: Scenario) -> Iterator[str]:
-    path = Path("written.toml")
-    path.write_text(write_scenario(scenario), encoding="utf-8")
-    if read_scenario(path) != scenario:
-        yield "read back from its file it is another scenario"
-
-
-def _unfit_message(message: str) -> str:
-    if "\n" in message or len(message) > LONGEST_LINE or any(ord(c) < 32 for c in message):
-        return f"not one short plain line: {message[:LONGEST_LINE]!r}"
-    return ""
-
-
-# Commands ------------------------------------------------------------------------------------------------------------
-
-
-def try_command(seed: int, index: int) -> Case:
-    """Run one command, most in this process."""
-    draw = Draw(np.random.default_rng((seed, KINDS.index("command"), index)))
-    fields = scenario_fields(draw)
-    try:
-        text = write_scenario(_cut(Scenario(**fields)))
-    except InputError:
-        text = json.dumps(fields, default=str)  # no TOML, which is a case too
-    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
-        arguments = command(draw, Path(folder), text)
-        given = f"{arguments}\n{Path('fuzz.toml').read_text(encoding='utf-8')[:5000]}"
-        try:
-            status, printed, errors = (_in_its_own_process if index % SUBPROCESSES == 0 else _in_this_process)(
-                arguments
-            )
-        except Exception:
-            return Case("raised", traceback.format_exc(), given)
-    wrong = [f"status {status}"] if status not in (0, 1, 2) else []
-    if "Traceback" in printed + errors:
-        wrong.append("a traceback: " + errors[-2000:])
-    elif status == 2:
-        wrong += [w for w in [_unfit_message(errors.rstrip("\n"))] if w]
-        wrong += [] if errors.startswith("plategait: ") else [f"standard error {errors[:LONGEST_LINE]!r}"]
-    if status in (0, 1) and "--json" in arguments and "--version" not in arguments:
-        wrong += [] if _is_json(printed) else [f"no JSON: {printed[:LONGEST_LINE]!r}"]
-    return Case(f"status {status}", "; ".join(wrong), given)
-
-
-def _is_json(text: str) -> bool:
-    def refuse(constant: str) -> None:
-        raise ValueError(constant)
-
-    try:
-        json.loads(text, parse_constant=refuse)
-    except ValueError:
-        return False
-    return True
-
-
-def _in_this_process(arguments: list[str]) -> tuple[int, str, str]:
-    out, err = io.StringIO(), io.StringIO()
-    told, sys.argv = sys.argv, ["plategait", *arguments]
-    try:
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            cli.main()
-    except SystemExit as end:
-        return int(end.code or 0), out.getvalue(), err.getvalue()
-    finally:
-        sys.argv = told
-    raise AssertionError("the command did not end with a status")
-
-
-def _in_its_own_process(arguments: list[str]) -> tuple[int, str, str]:
-    installed = str(Path(sys.executable).with_name("plategait"))
-    if any("\x00" in a for a in arguments):
-        return _in_this_process(arguments)
-    done = subprocess.run([installed, *arguments], capture_output=True, text=True, errors="replace", check=False)
-    return done.returncode, done.stdout, done.stderr
-
-
-TRIALS = {"scenario": try_scenario, "command": try_command}
-
-
-# Workers -------------------------------------------------------------------------------------------------------------
+STARTING = 60.0  # seconds that a process may take before its first case
 
 
 def work(connection: Connection, seed: int, cases: list[tuple[str, int]], memory: float) -> None:
-    """Run cases one after the other, telling when each begins and what became of it."""
+    """Run cases one after the other, telling when each begins, what it is, and what became of it."""
     if memory:
         import resource
 
@@ -200,71 +36,71 @@ def work(connection: Connection, seed: int, cases: list[tuple[str, int]], memory
     with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
         for kind, index in cases:
             connection.send((kind, index))
-            connection.send(TRIALS[kind](seed, index))
+            connection.send(TRIALS[kind](seed, index, connection.send))
     connection.send(None)
 
 
-@dataclass
 class Worker:
-    """A process with its share of the cases, made anew when one of them ends it."""
+    """A process with its share of the cases, which another one takes over where it is lost."""
 
-    seed: int
-    memory: float
-    cases: list[tuple[str, int]]
-    busy_since: float = 0.0
-    connection: Connection = field(init=False)
-    process: multiprocessing.Process = field(init=False)
-
-    def __post_init__(self) -> None:
+    def __init__(self, seed: int, memory: float, cases: list[tuple[str, int]]) -> None:
         context = multiprocessing.get_context("spawn")
+        self.seed, self.memory, self.cases = seed, memory, cases
         self.connection, theirs = context.Pipe()
-        self.process = context.Process(target=work, args=(theirs, self.seed, self.cases, self.memory))  # type: ignore[assignment]
+        self.process = context.Process(target=work, args=(theirs, seed, cases, memory))
         self.process.start()
         theirs.close()
-        self.busy_since = time.monotonic()
+        self.current, self.given = cases[0], ""
+        self.heard = time.monotonic() + STARTING
+        self.done = self.lost = False
 
-    def after(self, case: tuple[str, int]) -> Worker | None:
-        """Another one for the cases after this one."""
-        self.process.kill()
+    def answer(self) -> Case | None:
+        """Take what the process says: a case that ended, or None."""
+        try:
+            message = self.connection.recv()
+        except EOFError:
+            self.process.join()
+            self.lost = True
+            return Case("lost", f"the process ended with status {self.process.exitcode}")
+        self.heard = time.monotonic()
+        if isinstance(message, Case):
+            return message
+        if isinstance(message, str):
+            self.given = message
+        elif message is None:
+            self.done = True
+        else:
+            self.current, self.given = message, ""
+        return None
+
+    def overdue(self, limit: float) -> Case | None:
+        """Whether nothing has been heard for too long."""
+        self.lost = time.monotonic() - self.heard > limit
+        return Case("lost", f"no answer within {limit:g} s") if self.lost else None
+
+    def successors(self) -> list[Worker]:
+        """End the process; another one takes the cases after the current one."""
+        if self.lost:
+            self.process.kill()
         self.process.join()
-        rest = self.cases[self.cases.index(case) + 1 :]
-        return Worker(self.seed, self.memory, rest) if rest else None
+        rest = self.cases[self.cases.index(self.current) + 1 :]
+        return [Worker(self.seed, self.memory, rest)] if self.lost and rest else []
 
 
 def run_cases(
     seed: int, cases: list[tuple[str, int]], n_workers: int, memory: float, limit: float
-) -> Iterator[tuple[str, int, Case]]:
-    """What became of each case, in the order in which they end; `limit` is how long one may take, s."""
+) -> Iterator[tuple[str, int, Case, str]]:
+    """What became of each case, and what it was, as they end; `limit` is how long one may take, s."""
     workers = [Worker(seed, memory, cases[i::n_workers]) for i in range(n_workers) if cases[i::n_workers]]
-    current = {id(w): w.cases[0] for w in workers}
     while workers:
         ready = wait([w.connection for w in workers], timeout=0.5)
         for worker in list(workers):
-            lost = ""
-            if worker.connection in ready:
-                try:
-                    message = worker.connection.recv()
-                except EOFError:
-                    worker.process.join()
-                    lost = f"the process ended with status {worker.process.exitcode}"
-                else:
-                    worker.busy_since = time.monotonic()
-                    if isinstance(message, Case):
-                        yield *current[id(worker)], message
-                    elif message is None:
-                        workers.remove(worker)
-                        worker.process.join()
-                    else:
-                        current[id(worker)] = message
-            elif time.monotonic() - worker.busy_since > limit:
-                lost = f"no answer within {limit:g} s"
-            if lost:
-                case = current[id(worker)]
-                yield *case, Case("lost", lost)
+            case = worker.answer() if worker.connection in ready else worker.overdue(limit)
+            if case is not None:
+                yield *worker.current, case, worker.given
+            if worker.lost or worker.done:
                 workers.remove(worker)
-                if another := worker.after(case):
-                    workers.append(another)
-                    current[id(another)] = another.cases[0]
+                workers += worker.successors()
 
 
 def main() -> int:
@@ -284,12 +120,12 @@ def main() -> int:
         cases = [("scenario", i) for i in range(told.scenarios)] + [("command", i) for i in range(told.commands)]
     outcomes: Counter[tuple[str, str]] = Counter()
     problems, begun = 0, time.monotonic()
-    for kind, index, case in run_cases(told.seed, cases, max(1, told.workers), told.memory, told.limit):
+    for kind, index, case, given in run_cases(told.seed, cases, max(1, told.workers), told.memory, told.limit):
         outcomes[kind, case.outcome] += 1
         problems += bool(case.problem)
         if case.problem or told.only:
-            print(f"--- {kind}:{index} of seed {told.seed}: {case.outcome}; {case.problem or 'nothing wrong'}")
-            print(f"{case.given}", flush=True)
+            print(f"--- {kind}:{index} of seed {told.seed}: {case.outcome}; {case.problem[:4000] or 'nothing wrong'}")
+            print(given[:8000], flush=True)
     for kind in KINDS:
         counts = {outcome: n for (k, outcome), n in sorted(outcomes.items()) if k == kind}
         if counts:

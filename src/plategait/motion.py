@@ -19,6 +19,9 @@ from plategait.units import ANGLE, PLATE_ANGLE, PLATE_STROKE, STROKE, Angle, Del
 AXES = ("x", "y", "z", "rx", "ry", "rz")
 Axis = Literal["x", "y", "z", "rx", "ry", "rz"]
 
+# Samples nearer to each other or larger than any plate's are slips, and their speeds leave floating point.
+SHORTEST_SAMPLE, LARGEST_SAMPLE = 1e-9, 1e9  # s; m or rad
+
 
 class Wave(Model):
     """One sine on one degree of freedom: amplitude · sin(2π · ratio · f · t + phase)."""
@@ -53,17 +56,24 @@ class Samples(Model):
     @model_validator(mode="after")
     def _consistent(self) -> Samples:
         time = np.array(self.time)
+        if len(time) > 1 and 0 < np.diff(time).min() < SHORTEST_SAMPLE:
+            raise InputError(
+                "time",
+                f"samples {np.diff(time).min():.2g} s apart",
+                f"samples at least {SHORTEST_SAMPLE:g} s apart",
+                "[0.0, 0.01, 0.02]",
+            )
         if len(time) < 2 or not np.isfinite(time).all() or (np.diff(time) <= 0).any() or time[0] != 0:
             raise InputError(
                 "time", f"{len(time)} values", "2 or more finite times that rise from 0 s", "[0.0, 0.01, 0.02]"
             )
         for axis in AXES:
             values = getattr(self, axis)
-            if values and (len(values) != len(time) or not np.isfinite(values).all()):
+            if values and (len(values) != len(time) or not np.abs(values).max() <= LARGEST_SAMPLE):
                 raise InputError(
                     axis,
                     f"{len(values)} values",
-                    f"{len(time)} finite values, one for each time",
+                    f"{len(time)} values, one for each time, of at most {LARGEST_SAMPLE:g} in size",
                     f"[0.0] * {len(time)}",
                 )
         return self

@@ -191,8 +191,8 @@ def first_failure(
     """First thing that went wrong in a run, or None.
 
     Failed are: the centre slipped further than the limit, or the sheet turned over (the dissertation's two, section
-    4.3); also a sheet that folded, left the plate, or ceased to be finite. A sheet has left the plate once its centre is
-    beyond the edge, or once it folds or turns over hanging from it; one that slips first, on its way off, is told by
+    4.3); also a sheet that folded, left the plate, or ceased to be finite. A sheet has left the plate once its centre
+    is beyond the edge, or once it folds or turns over hanging from it; one that slips first, on its way off, is told by
     where it ended, with the slip as the first sign.
 
     Parameters

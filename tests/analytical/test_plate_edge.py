@@ -82,10 +82,10 @@ def test_a_strip_tips_where_statics_says(nodes, axis, beyond):
 def test_a_soft_sheet_hangs_over_the_edge_and_stays():
     # A quarter of the disk overhangs a plate at rest: it sags, friction holds it, nothing gains energy.
     still = CHEESE.replace(motion=STILL.replace(frequency=14.0), duration=3.0, **{"start.y": "25 mm"})
-    run = simulate(still, snapshot_interval=0.1)
-    assert run.failure is None
-    assert run.observations[0].energy.closes
-    recording = run.recordings[0]
+    hanging = simulate(still, snapshot_interval=0.1)
+    assert hanging.failure is None
+    assert hanging.observations[0].energy.closes
+    recording = hanging.recordings[0]
     over = np.abs(recording.positions[:, 1]) < 0.05
     assert recording.positions[over, 2].min() > -2e-4, "what is over the plate lies on it"
     assert recording.positions[~over, 2].max() < 0, "and what is not hangs"
@@ -98,16 +98,16 @@ def test_a_sheet_driven_over_the_edge_leaves_the_plate_and_falls():
     told = {}
     for name, engine, share in (("default", "cpu", 1.0), ("halved", "cpu", 0.5), ("double", "cpu64", 0.5)):
         runs = simulate_all([s.replace(time_step=share * s.dt) for s in driven], engine=engine)
-        for run in runs:
-            (observation,), (recording,) = run.observations, run.recordings
+        for one in runs:
+            (observation,), (recording,) = one.observations, one.recordings
             assert observation.failure is not None
             assert observation.failure.kind == "left the plate"
             assert observation.energy.closes
             # It cannot be faster than what the plate gave plus its fall.
-            fall = run.scenario.sheet.mass * 9.81 * max(0.0, -float(recording["centre_z"].min()) + 0.01)
+            fall = one.scenario.sheet.mass * 9.81 * max(0.0, -float(recording["centre_z"].min()) + 0.01)
             assert recording["kinetic_energy"].max() < fall + np.abs(recording["plate_work"]).sum()
             assert recording["contact_energy"].max() < 1e-3, "a node pressed in by less than a millimetre"
-        told[name] = [run.observations[0].failure.time for run in runs]
+        told[name] = [one.observations[0].failure.time for one in runs]
     assert told["halved"] == pytest.approx(told["default"], abs=0.03)
     assert told["double"] == pytest.approx(told["default"], abs=0.03)
 
@@ -178,8 +178,7 @@ def test_a_rough_sheet_turns_with_a_turntable_of_many_turns(turns, axis):
             frequency=10.0, angle=0.0, stroke=0.0, ramp=0.0, samples=Samples(time=tuple(time), rz=tuple(angle * smooth))
         )
     scenario = CHEESE.replace(motion=motion, plate=None, duration=duration)
-    run = simulate(scenario)
-    recording = run.recordings[0]
+    (recording,) = simulate(scenario).recordings
     assert recording["plate_rz"].max() == pytest.approx(angle, rel=1e-3)
     drift = np.unwrap(np.arctan2(recording["spin_cross"], recording["spin_dot"]))
     # It creeps while the static law slips each step: a fraction of a degree, not turns.

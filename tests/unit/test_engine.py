@@ -63,7 +63,7 @@ def test_a_last_sample_far_away_is_no_burden():
 
 
 def test_runs_on_equal_trajectories_share_one_table():
-    runs = [Run(along(wave(1000, 1.0), **{"duration": 0.1 + 0.01 * (i % 3)})) for i in range(12)]
+    runs = [Run(along(wave(1000, 1.0), duration=0.1 + 0.01 * (i % 3))) for i in range(12)]
     knots, first, count = tables(runs)
     assert set(first.tolist()) == {0}
     assert set(count.tolist()) == {len(knots)}
@@ -228,6 +228,15 @@ def test_threads_that_can_be_started_do_the_work_of_all():
 def test_no_memory_for_a_thread_or_a_block_is_a_memory_error(room):
     done = limited_run(NO_THREAD.replace("ROOM", str(room)))
     assert (done.returncode, done.stdout) == (0, "refused\n")
+
+
+@pytest.mark.filterwarnings("error")
+def test_an_energy_past_the_precision_is_a_status_not_a_number():
+    # 1e30 kg sink by kilometres, where (3.1) would store more than the 3e38 J that single precision holds.
+    result = simulate(CHEESE.replace(**{"sheet.mass": 1e30, "duration": 0.02}))
+    finite = all(np.isfinite(values).all() for values in result.recordings[0].channels.values())
+    assert finite == (result.failure is None)
+    assert not finite
 
 
 @pytest.mark.parametrize("threads", [0, -1, True, 1.5, 10**9])

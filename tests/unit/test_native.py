@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
-
 import plategait._native as native
+import pytest
 
 N_RUNS, N_NODES, N_SAMPLES = 3, 6, 3
 CHANNELS = len(native.CHANNELS)
@@ -128,7 +127,7 @@ BAD = {
 @pytest.mark.parametrize("case", BAD)
 def test_what_does_not_belong_together_is_refused(case):
     given = arguments() | BAD[case]
-    with pytest.raises(ValueError, match="."):
+    with pytest.raises(ValueError, match=r"[a-z]"):
         native.advance_float32(**given)
     assert np.isnan(given["samples"]).all() or case.startswith("samples"), "nothing was run"
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import plategait._native as _native  # pyright: ignore[reportMissingImports]
-from plategait.engine.memory import check_memory
+from plategait.engine.memory import batch_size, check_memory
 from plategait.engine.recording import Recording, Run
-from plategait.engine.trajectories import table_bytes, table_step, tables
+from plategait.engine.trajectories import table_step, tables
 from plategait.lattice import Lattice
 from plategait.motion import AXES
 from plategait.scenario import Scenario
@@ -22,8 +22,6 @@ Progress = Callable[[float], object]
 
 # A plate that never ends, m.
 _ENDLESS = 1e9
-# A batch is held to this much recording, so that a campaign's memory does not grow with its size.
-_LARGEST_RECORDING = 256 << 20
 
 
 def core_count() -> int:
@@ -66,13 +64,13 @@ def run(
     KeyboardInterrupt
         When interrupted from the keyboard.
     """
-    batches = _batches(runs)
-    largest = max((_batch_bytes([runs[i] for i in group], precision) for group in batches), default=0.0)
-    check_memory(runs, len(_native.CHANNELS), largest)
+    channels = len(_native.CHANNELS)
+    sample_bytes = np.dtype(precision).itemsize * channels
+    check_memory(runs, sample_bytes, channels)
     recordings: dict[int, Recording] = {}
     total = float(sum(r.steps for r in runs))
     done = 0.0
-    for group in batches:
+    for group in _batches(runs, sample_bytes):
         members = [runs[i] for i in group]
         share = float(sum(r.steps for r in members))
 
@@ -86,24 +84,16 @@ def run(
     return [recordings[i] for i in range(len(runs))]
 
 
-def _batches(runs: Sequence[Run]) -> list[list[int]]:
+def _batches(runs: Sequence[Run], sample_bytes: int) -> list[list[int]]:
     """Indices of the runs that share a lattice, in pieces whose recordings fit in memory."""
     groups: dict[bytes, list[int]] = {}
     for i, r in enumerate(runs):
         groups.setdefault(r.lattice.key, []).append(i)
     batches = []
     for group in groups.values():
-        largest = max(4 * len(_native.CHANNELS) * runs[i].samples for i in group)
-        size = max(64, 64 * int(_LARGEST_RECORDING / (64 * largest)))
+        size = batch_size(max(runs[i].samples for i in group), sample_bytes)
         batches += [group[i : i + size] for i in range(0, len(group), size)]
     return batches
-
-
-def _batch_bytes(runs: Sequence[Run], precision: Precision) -> float:
-    """Memory that a batch takes besides its recordings."""
-    sample, nodes = np.dtype(precision).itemsize * len(_native.CHANNELS), runs[0].lattice.n_nodes
-    samples, pictures = max(r.samples for r in runs), max(r.pictures for r in runs)
-    return len(runs) * (sample * samples + 12.0 * nodes * pictures + 96 * nodes) + table_bytes(runs)
 
 
 def parameters_of(scenario: Scenario) -> dict[str, float]:
@@ -197,12 +187,13 @@ def _advance(
         # Time counts in steps: the core's own precision does not reach a long run's end.
         channels["time"] = np.arange(kept, dtype=np.float64) * (int(stride[j]) * r.scenario.dt)
         pose = np.stack([channels[f"plate_{axis}"] for axis in AXES], axis=1)
+        diverged = steps_done[j] < steps[j] or not (np.isfinite(series).all() and np.isfinite(x1[j]).all())
         every = slice(0, None, max(1, int(thinning[j])))
         recordings.append(
             Recording(
                 channels=channels, snapshot_time=channels["time"][every][:pictured], snapshots=snapshots[j, :pictured],
                 plate_pose=pose[every][:pictured], positions=x1[j], velocities=v1[j], dt=r.scenario.dt,
-                steps=int(steps_done[j]), diverged=bool(steps_done[j] < steps[j] or not np.isfinite(x1[j]).all()),
+                steps=int(steps_done[j]), diverged=bool(diverged),
             )
         )  # fmt: skip
     return recordings

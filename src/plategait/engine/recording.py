@@ -107,7 +107,7 @@ class Recording:
     steps : int
         Steps taken; fewer than asked when the run diverged.
     diverged : bool
-        Whether the motion ceased to be finite.
+        Whether the motion, or anything recorded of it, ceased to be finite.
     """
 
     channels: Mapping[str, NDArray[np.float64]]

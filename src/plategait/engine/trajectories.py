@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ def table_step(scenario: Scenario) -> float:
     return float(np.float32(finest))
 
 
-def table_bytes(runs: Sequence[Run]) -> float:
+def table_bytes(runs: Iterable[Run]) -> float:
     """Memory that `tables` takes at most: knots of 12 numbers, and the copies that the spline makes of them."""
     taken = {
         id(s): 12 * 8 * 3 * min(s.time[-1], r.scenario.duration) / table_step(r.scenario)
