@@ -285,10 +285,20 @@ def test_the_modes_are_named_by_their_shape(torsion):
     assert sheet.free_modes.twist.omega < sheet.free_modes.dish.omega
 
 
-def test_a_sheet_without_a_dish_mode_says_so():
-    strip = Sheet(**{**MINIMAL, "outline": Rectangle(length=0.05, width=0.01)})
+def test_a_sheet_without_a_dish_mode_says_so_and_counts_its_lowest():
+    strip = Sheet(**{**MINIMAL, "outline": Rectangle(length=0.08, width=0.01)})
     with pytest.raises(InputError, match="dish"):
-        _ = strip.natural_frequency
+        _ = strip.free_modes.dish
+    omega = strip.natural_frequency
+    assert omega == strip.free_modes.modes[0].omega > 0
+    assert strip.with_natural_frequency(2 * omega).natural_frequency == pytest.approx(2 * omega, rel=1e-9)
+
+
+@pytest.mark.parametrize("cut", [{"outline": Rectangle(length=0.02, width=0.02)}, {"bending_stiffness": 0.0}])
+def test_a_sheet_that_nothing_bends_has_no_natural_frequency(cut):
+    stiff = Sheet(**{**MINIMAL, "outline": Rectangle(length=0.08, width=0.01), **cut})
+    with pytest.raises(InputError, match="bends the sheet"):
+        _ = stiff.natural_frequency
 
 
 def test_a_sheet_of_one_node_slides_as_a_block():
