@@ -105,7 +105,7 @@ def _curve(case: Case, observations: tuple[tuple[Observation, ...], ...]) -> Cur
 
 def _fit(curve: Curve, fit_from: float) -> Shape | None:
     kept = curve.fitted & (curve.frequency_hz >= fit_from)
-    return fit_shape(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept])
+    return fit_shape(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept], ends_in_failure=curve.ends_in_failure)
 
 
 def _point(observations: tuple[Observation, ...]) -> tuple[float, float, str, str]:
