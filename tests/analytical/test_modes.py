@@ -11,6 +11,8 @@ from plategait.modes import transverse_matrix
 from plategait.outline import Disk, Ellipse, Mask, Outline, Polygon, Rectangle
 from plategait.sheet import Sheet
 
+pytestmark = pytest.mark.linear_algebra
+
 OUTLINES: dict[str, Outline] = {
     "disk": Disk(radius=0.04),
     "square": Rectangle(length=0.06, width=0.06),

@@ -22,6 +22,8 @@ from plategait.estimate.result import measured_as
 from plategait.lorentz import LorentzFit
 from plategait.presets import preset
 
+pytestmark = pytest.mark.linear_algebra
+
 CHEESE = measured_as(preset("cheese").scenario)
 MOTION = CHEESE.motion
 

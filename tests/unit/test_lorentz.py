@@ -9,6 +9,8 @@ from scipy.stats import binom, norm
 from plategait.errors import InputError
 from plategait.lorentz import first_guess, fit_lorentzian, lorentzian
 
+pytestmark = pytest.mark.linear_algebra
+
 FREQUENCY = np.arange(16.0, 31.0)
 CUT_OFF = np.arange(7.0, 13.1, 0.5)  # A_p = 12 deg: the disk drifts off right after its peak
 NAN, INF = float("nan"), float("inf")

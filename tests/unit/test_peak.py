@@ -17,6 +17,8 @@ from plategait.peak import unseen_peak, unseen_top
 from plategait.plots import plot_curve
 from plategait.thesis.shape import fit_shape
 
+pytestmark = pytest.mark.linear_algebra
+
 # Eight points that rise to 84 deg/s: the line that fits them best peaks at 337 deg/s between the last two.
 RISING = np.arange(5.0, 13.0)
 SPIKE = lorentzian(RISING, 337.0, 11.6, 0.23)
