@@ -1,5 +1,6 @@
 # make demo   set up .venv, run the main job, say where its pictures are
 # make test   set up .venv, run the tests
+# make test-kernels  run what leans on linear algebra with another kernel of OpenBLAS than the processor's own
 # make lint   ruff, pyright, import-linter
 # make bench  the speed report
 # make fuzz   thousands of random scenarios and commands: none may crash, hang or answer with nonsense
@@ -9,7 +10,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 
-.PHONY: demo test lint bench fuzz sanitize clean always
+.PHONY: demo test test-kernels lint bench fuzz sanitize clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
@@ -36,6 +37,10 @@ demo: .venv/installed
 
 test: .venv/installed-test
 	$(BIN)/python -m pytest
+
+# Any x86-64 processor has Prescott's instructions, and hardly any in use chooses its kernel by itself.
+test-kernels: .venv/installed-test
+	OPENBLAS_CORETYPE=$(if $(filter Prescott,$(OPENBLAS_CORETYPE)),Haswell,Prescott) $(BIN)/python -m pytest -m linear_algebra
 
 lint: .venv/installed-lint
 	$(BIN)/ruff check .

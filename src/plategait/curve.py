@@ -18,6 +18,7 @@ from plategait.lorentz import LorentzFit, fit_lorentzian
 from plategait.observables import GAITS
 from plategait.observation import Observation, ensemble_of
 from plategait.output import whole_file
+from plategait.peak import unseen_top
 from plategait.scenario import Scenario
 from plategait.simulation import Simulation, plain, simulate_all
 from plategait.table import Column, read_table
@@ -116,14 +117,21 @@ class Curve:
         return out & np.isfinite(self.spin_rate_deg_s)
 
     @property
+    def ends_in_failure(self) -> bool:
+        """Whether the object failed at a frequency above those that the fit may use."""
+        highest = self.frequency_hz[self.fitted].max(initial=0)
+        return bool(self.failed[self.frequency_hz > highest].any())
+
+    @property
     def peak_frequency(self) -> float:
         """Frequency of the highest spin rate, Hz: vertex of the parabola through the points above 85 % of it.
 
-        The tops are flat and the highest single point wanders along them. NaN for fewer than three such points.
+        The tops are flat and the highest single point wanders along them. NaN for fewer than three such points, or
+        where the curve shows no top: see `plategait.peak.unseen_top`.
         """
         f, rate = self.frequency_hz[self.fitted], self.spin_rate_deg_s[self.fitted]
         top = rate > 0.85 * rate.max() if len(rate) else np.zeros(0, bool)
-        if top.sum() < 3:
+        if top.sum() < 3 or unseen_top(f, rate, ends_in_failure=self.ends_in_failure):
             return math.nan
         middle = f[top].mean()
         curvature, slope, _ = np.polyfit(f[top] - middle, rate[top], 2)
@@ -171,8 +179,9 @@ def fit_curve(curve: Curve) -> Curve:
     """Same curve with the Lorentz fit (5.5) of its `fitted` points, or with the reason why there is none."""
     kept = curve.fitted
     try:
-        ends_in_failure = bool(curve.failed[curve.frequency_hz > curve.frequency_hz[kept].max(initial=0)].any())
-        fit = fit_lorentzian(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept], ends_in_failure=ends_in_failure)
+        fit = fit_lorentzian(
+            curve.frequency_hz[kept], curve.spin_rate_deg_s[kept], ends_in_failure=curve.ends_in_failure
+        )
     except InputError as error:
         return replace(curve, fit=None, no_fit=str(error))
     return replace(curve, fit=fit, no_fit="")

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plategait.errors import InputError
+from plategait.peak import unseen_peak, unseen_top
 
 # scipy, not lmfit: lmfit takes 0.9 s to import and 55 ms to fit with intervals, scipy.optimize 0.35 s and 10 ms.
 
@@ -67,8 +68,7 @@ class LorentzFit:
     confidence : float
         Coverage of the intervals, between 0 and 1.
     peak_interval, f0_interval, half_width_interval : (low, high)
-        Interval of each parameter by itself. The far end of `peak_interval` is infinite, or the low end of
-        `half_width_interval` 0, where the points do not resolve how sharp the peak is.
+        Interval of each parameter by itself.
     interval_method : str
         "profile likelihood", or "covariance" (with Student's t) where the residuals are mere rounding.
     scatter : str
@@ -141,8 +141,8 @@ def fit_lorentzian(
     confidence : float
         Coverage asked of the intervals.
     ends_in_failure : bool
-        Whether the object ran off at the next higher frequency. Then a curve that only rises ends at its peak, as the
-        source's do at A_p = 12 deg, and is not refused for it.
+        Whether the object ran off at the next higher frequency. Then a curve that only rises may end at its peak, as
+        the source's do at A_p = 12 deg.
 
     Returns
     -------
@@ -155,12 +155,16 @@ def fit_lorentzian(
         above 0; a confidence outside (0, 1); fewer than 4 points with a rate, or than 4 distinct frequencies; rates
         all alike; or a curve that does not show its peak, because
 
-        - the interval of f0 is wider than the span of the frequencies, or
-        - f0 lies more than b/√3 outside them, so that they stop before the line's inflection and nothing bends, or
-        - b is under a thousandth of their span: one rate stands out and no flank is seen, or
-        - a straight line or an exponential fits better by an F test at 1 %, unless the curve ends in failure.
+        - its samples do not show it, by the rule of `plategait.peak.unseen_peak`: the highest rate is at an end, f0 is
+          where nothing was measured, or fewer than three of the frequencies are within b of it, or
+        - a straight line or an exponential fits better by an F test at 1 % (where the curve ends in failure, one that
+          falls), or
+        - the intervals leave it open: peak or b has no bound, f0 may lie outside the frequencies by more than half an
+          interval or, where the curve ends in failure, anywhere in a range as wide as they span.
     """
     f, y, sds = _checked(frequency, rate, sd, confidence)
+    if fault := unseen_top(f, y, ends_in_failure=ends_in_failure):
+        raise _no_peak(f, y, fault)
     curve = _Curve(f, y, sds)
     best, cost = curve.best_of(curve.starts())
     if fault := curve.fault(best, cost, ends_in_failure):
@@ -169,8 +173,8 @@ def fit_lorentzian(
     bounds, method = curve.intervals(best, cost, threshold)
     peak, f0, half_width = map(float, curve.in_units(best))
     peaks, centres, widths = ((float(min(ends)), float(max(ends))) for ends in curve.in_units(bounds))
-    if not centres[1] - centres[0] <= np.ptp(f):
-        raise _no_peak(f, y, f"a peak anywhere from {centres[0]:.4g} to {centres[1]:.4g} Hz")
+    if fault := _unbounded(f, peaks, centres, widths, ends_in_failure):
+        raise _no_peak(f, y, fault)
     return LorentzFit(
         peak=peak,
         f0_hz=f0,
@@ -225,6 +229,18 @@ def _threshold(cost: float, dof: int, known: bool, confidence: float) -> tuple[f
     if known and cost <= special.chdtri(dof, _SIGNIFICANCE):
         return float(special.ndtri((1 + confidence) / 2)) ** 2, True
     return cost / dof * float(special.stdtrit(dof, (1 + confidence) / 2)) ** 2, False
+
+
+def _unbounded(f: _Array, peaks: Interval, centres: Interval, widths: Interval, ends_in_failure: bool) -> str | None:
+    """What the intervals leave open, if anything: see `fit_lorentzian`."""
+    each = np.unique(f)
+    low, high = each[0] - (each[1] - each[0]) / 2, each[-1] + (each[-1] - each[-2]) / 2
+    inside = low <= centres[0] and (ends_in_failure or centres[1] <= high)
+    if not (inside and centres[1] - centres[0] <= np.ptp(f)):
+        return f"a peak anywhere from {centres[0]:.4g} to {centres[1]:.4g} Hz"
+    if not np.isfinite([*peaks, *widths]).all() or widths[0] == 0:
+        return f"a half width anywhere from {widths[0]:.2g} to {widths[1]:.2g} Hz"
+    return None
 
 
 def _no_peak(f: _Array, y: _Array, got: str) -> InputError:
@@ -302,15 +318,11 @@ class _Curve:
         """What speaks against a peak before any interval, if anything does: see `fit_lorentzian`."""
         from scipy.special import fdtri
 
+        _, f0, half_width = map(float, self.in_units(best))
+        if fault := unseen_peak(self.f, self.y, f0, half_width, ends_in_failure=ends_in_failure):
+            return fault
         dof, rival_dof = len(self.x) - 3, len(self.x) - 2
-        if abs(best[1]) - 0.5 > np.exp(best[2]) / np.sqrt(3):
-            return f"no bend from {self.f.min():g} to {self.f.max():g} Hz"
-        if best[2] < -np.log(1000):
-            return "a peak too sharp for the frequencies to resolve"
-        if (
-            not ends_in_failure
-            and cost / dof > fdtri(dof, rival_dof, 1 - _SIGNIFICANCE) * self.monotone_cost() / rival_dof
-        ):
+        if cost / dof > fdtri(dof, rival_dof, 1 - _SIGNIFICANCE) * self.monotone_cost(ends_in_failure) / rival_dof:
             return "a curve that a straight line or an exponential fits better"
         return None
 
@@ -346,11 +358,16 @@ class _Curve:
             inside, outside = outside, min(2 * outside, _REACH[i])
         return best[i] + direction * root_scalar(rise, bracket=(inside, outside), xtol=1e-4 * outside).root
 
-    def monotone_cost(self) -> float:
-        """Weighted sum of squares of the better of a straight line and an exponential, neither of which peaks."""
+    def monotone_cost(self, falling_only: bool) -> float:
+        """Weighted sum of squares of the best of a straight line and an exponential, neither of which peaks.
+
+        Of those that do not rise, if asked; a constant is one of them.
+        """
         terms = np.stack([np.ones_like(self.x), self.x], axis=1)
         log_weight = self.w * np.maximum(self.v, 0)
         logs = np.log(np.maximum(self.v, np.finfo(float).tiny))
-        line = terms @ np.linalg.lstsq(self.w[:, None] * terms, self.w * self.v, rcond=None)[0]
-        exponential = np.exp(terms @ np.linalg.lstsq(log_weight[:, None] * terms, log_weight * logs, rcond=None)[0])
-        return min(float(np.sum((self.w * (rival - self.v)) ** 2)) for rival in (line, exponential))
+        straight = np.linalg.lstsq(self.w[:, None] * terms, self.w * self.v, rcond=None)[0]
+        power = np.linalg.lstsq(log_weight[:, None] * terms, log_weight * logs, rcond=None)[0]
+        rivals = [line for line, slope in ((terms @ straight, straight[1]), (np.exp(terms @ power), power[1]))
+                  if slope <= 0 or not falling_only]  # fmt: skip
+        return min([self.spread(), *(float(np.sum((self.w * (rival - self.v)) ** 2)) for rival in rivals)])

@@ -11,8 +11,15 @@ from numpy.typing import NDArray
 from plategait.errors import InputError
 from plategait.lattice import Lattice
 
+_Array = NDArray[np.float64]
+
 # A lattice of 1,500 nodes takes a dense solver about a second.
 LARGEST_DENSE_LATTICE = 3000
+
+_ROUNDING = 1e-12  # of the largest ω²: what differs by less is one frequency, and what is less is none
+_FLAT = 1e-9  # share of a shape that is rounding once the rigid motion is taken out of it
+_ALIKE = 6  # decimals in which two shares, or two nodes, are alike
+_MOSTLY, _PARTLY = 0.6, 0.3  # share of a shape at which a space is mostly that shape, and below which it is not it
 
 
 @dataclass(frozen=True)
@@ -33,7 +40,7 @@ class Mode:
 
     omega: float
     damping_ratio: float
-    shape: NDArray[np.float64]
+    shape: _Array
     name: str
 
     @property
@@ -44,7 +51,7 @@ class Mode:
 
 @dataclass(frozen=True)
 class Modes:
-    """Modes in order of frequency, the three rigid ones left out."""
+    """Modes in order of frequency, the rigid ones left out."""
 
     modes: tuple[Mode, ...]
 
@@ -56,12 +63,12 @@ class Modes:
             "modes",
             "nothing of that shape",
             f"a sheet that has a {name} mode",
-            "a sheet at least 3 nodes across both ways",
+            "a sheet about as long as wide, 3 nodes or more across both ways",
         )
 
     @property
     def dish(self) -> Mode:
-        """The mode in which the sheet bends up and down, the dissertation's ω_n."""
+        """The mode in which the sheet bends up and down alike along both axes."""
         return self._named("dish")
 
     @property
@@ -74,8 +81,22 @@ class Modes:
         """Twisted; no stiffness at all while torsion is free."""
         return self._named("twist")
 
+    @property
+    def natural(self) -> Mode:
+        """The mode of the dissertation's ω_n: the dish, or where no mode is one the lowest that bends the sheet."""
+        for mode in self.modes:
+            if mode.name == "dish":
+                return mode
+        for mode in self.modes:
+            if mode.omega > 0 and mode.name != "twist":
+                return mode
+        raise InputError(
+            "modes", "none that bends the sheet", "a bending stiffness above 0, and 3 nodes or more in a row",
+            "a finer pitch",
+        )  # fmt: skip
 
-def bending_operator(lattice: Lattice) -> NDArray[np.float64]:
+
+def bending_operator(lattice: Lattice) -> _Array:
     """(n_bends, n_nodes) small angle of each bending joint, times the pitch, per deflection."""
     operator = np.zeros((len(lattice.bends), lattice.n_nodes))
     rows = np.arange(len(lattice.bends))
@@ -84,7 +105,7 @@ def bending_operator(lattice: Lattice) -> NDArray[np.float64]:
     return operator
 
 
-def twist_operator(lattice: Lattice) -> NDArray[np.float64]:
+def twist_operator(lattice: Lattice) -> _Array:
     """(n_cells, n_nodes) twist of each cell, times the pitch, per deflection."""
     operator = np.zeros((len(lattice.cells), lattice.n_nodes))
     rows = np.arange(len(lattice.cells))
@@ -93,7 +114,7 @@ def twist_operator(lattice: Lattice) -> NDArray[np.float64]:
     return operator
 
 
-def transverse_matrix(lattice: Lattice, pitch: float, bending: float, torsion: float) -> NDArray[np.float64]:
+def transverse_matrix(lattice: Lattice, pitch: float, bending: float, torsion: float) -> _Array:
     """(n_nodes, n_nodes) matrix of the nodes' deflections, from the joints' bending and torsion constants.
 
     With k_b and k_t it is the stiffness matrix (N/m), with c_b and c_t the damping matrix (N s/m).
@@ -125,46 +146,100 @@ def free_modes(
                          f'"{1e3 * pitch * math.sqrt(n / LARGEST_DENSE_LATTICE) * 1.05:.3g} mm"')  # fmt: skip
     stiffness = transverse_matrix(lattice, pitch, k_b, k_t) / node_mass
     damping = transverse_matrix(lattice, pitch, c_b, c_t) / node_mass
-    squared, shapes = np.linalg.eigh(stiffness)
-    shapes = _without_rigid_motion(lattice, squared, shapes)
-    omega = np.sqrt(np.einsum("im,ij,jm->m", shapes, stiffness, shapes, optimize=True).clip(0))
-    rates = np.einsum("im,ij,jm->m", shapes, damping, shapes, optimize=True)
-    order = np.argsort(omega, kind="stable")
-    names = _names(lattice, shapes[:, order])
-    modes = []
-    for i, m in enumerate(order):
-        shape = shapes[:, m] / shapes[np.argmax(np.abs(shapes[:, m])), m]
-        # A mode without stiffness has no ratio to speak of.
-        ratio = float(rates[m] / (2 * omega[m])) if omega[m] > 1e-6 * omega.max() else 0.0
-        modes.append(Mode(float(omega[m]), ratio, shape, names.get(i, "")))
-    return Modes(tuple(modes))
+    rigid = _rigid_motion(lattice)
+    flexible = np.linalg.qr(rigid, mode="complete")[0][:, rigid.shape[1] :]
+    squared, vectors = np.linalg.eigh(flexible.T @ stiffness @ flexible)
+    spaces = _eigenspaces(squared, flexible @ vectors)
+    named = _named_directions(lattice, rigid, [basis for _, basis in spaces])
+    omegas, names, shapes = [], [], [np.empty((n, 0))]
+    for i, (omega_squared, basis) in enumerate(spaces):
+        own = {name: direction for name, (space, direction) in named.items() if space == i}
+        shapes.append(_settled(basis, list(own.values())))
+        names += [*own, *[""] * (basis.shape[1] - len(own))]
+        omegas += [math.sqrt(omega_squared)] * basis.shape[1]
+    vectors = np.concatenate(shapes, axis=1)
+    rates = np.sum(vectors * (damping @ vectors), axis=0)
+    return Modes(
+        tuple(
+            # A mode without stiffness has no ratio to speak of.
+            Mode(omega, float(rate) / (2 * omega) if omega > 0 else 0.0, _upwards(vector), name)
+            for omega, rate, vector, name in zip(omegas, rates, vectors.T, names, strict=True)
+        )
+    )
 
 
-def _without_rigid_motion(
-    lattice: Lattice, squared: NDArray[np.float64], shapes: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Take heave, roll and pitch out of the modes of zero frequency; free torsion adds the twist to them."""
+def _rigid_motion(lattice: Lattice) -> _Array:
+    """(n_nodes, 1 to 3) heave, and roll and pitch of a sheet that is wide enough to have them."""
+    return np.stack([np.ones(lattice.n_nodes), *(c for c in lattice.rest.T if np.ptp(c) > 0)], axis=1)
+
+
+def _eigenspaces(squared: _Array, vectors: _Array) -> list[tuple[float, _Array]]:
+    """ω² and an orthonormal basis (n_nodes, m) of each frequency, rising.
+
+    Modes of one frequency, of which symmetric sheets and free torsion have many, are a solver's arbitrary choice; the
+    space that they span is the sheet's own.
+    """
+    if not len(squared):
+        return []
+    rounding = _ROUNDING * float(np.abs(squared).max())
+    parts = np.split(np.arange(len(squared)), np.flatnonzero(np.diff(squared) > rounding) + 1)
+    means = [float(squared[part].mean()) for part in parts]
+    return [(mean if mean > rounding else 0.0, vectors[:, part]) for mean, part in zip(means, parts, strict=True)]
+
+
+def _named_directions(lattice: Lattice, rigid: _Array, spaces: list[_Array]) -> dict[str, tuple[int, _Array]]:
+    """Space and unit direction (n_nodes,) in it of x² + y², x² − y² and xy, as far as the sheet has such modes.
+
+    A shape is projected onto every space. It belongs to the lowest that holds most of it, or else to the one that holds
+    the largest share, unless that direction has a name already: the surest name goes first.
+    """
     x, y = lattice.rest.T
-    floppy = squared <= 1e-9 * squared[-1]
-    rigid, _ = np.linalg.qr(np.stack([np.ones(len(x)), x, y], axis=1))
-    loose = shapes[:, floppy] - rigid @ (rigid.T @ shapes[:, floppy])
-    vectors, sizes, _ = np.linalg.svd(loose, full_matrices=False)
-    return np.concatenate([vectors[:, sizes > 1e-6], shapes[:, ~floppy]], axis=1)
+    ideals = {}
+    for name, ideal in (("dish", x**2 + y**2), ("saddle", x**2 - y**2), ("twist", x * y)):
+        bent = ideal - rigid @ np.linalg.lstsq(rigid, ideal, rcond=None)[0]
+        size = float(np.linalg.norm(bent))
+        # A strip has neither, nor a sheet of 2 × 2 nodes a saddle.
+        if spaces and np.ptp(x) > 0 and np.ptp(y) > 0 and size > _FLAT * np.linalg.norm(ideal):
+            ideals[name] = bent / size
+    held = {name: np.array([np.linalg.norm(basis.T @ ideal) for basis in spaces]) for name, ideal in ideals.items()}
+    found: dict[str, tuple[int, _Array]] = {}
+    for name in sorted(held, key=lambda name: -round(float(held[name].max()), _ALIKE)):
+        left = [basis @ (basis.T @ ideals[name]) for basis in spaces]
+        for space, direction in found.values():
+            left[space] = left[space] - direction * (direction @ left[space])
+        sizes = np.linalg.norm(left, axis=1)
+        mostly = np.flatnonzero(sizes > _MOSTLY)
+        space = int(mostly[0]) if len(mostly) else _first_largest(held[name])
+        if sizes[space] > _PARTLY:
+            found[name] = space, left[space] / sizes[space]
+    return found
 
 
-def _names(lattice: Lattice, shapes: NDArray[np.float64]) -> dict[int, str]:
-    """Name the modes by their likeness to x² − y², xy and x² + y² (less its mean)."""
-    x, y = lattice.rest.T
-    names: dict[int, str] = {}
-    for name, ideal in (("saddle", x**2 - y**2), ("twist", x * y), ("dish", x**2 + y**2)):
-        if np.ptp(x) == 0 or np.ptp(y) == 0:
-            continue
-        ideal = ideal - ideal.mean()
-        likeness = np.abs(ideal @ shapes) / (np.linalg.norm(ideal) + 1e-300)
-        # The lowest mode that is mostly of that shape; a sheet longer than wide mixes saddle and dish.
-        alike = [int(i) for i in np.nonzero(likeness > 0.6)[0] if int(i) not in names]
-        if alike:
-            names[alike[0]] = name
-        elif likeness.size and likeness.max() > 0.3 and int(np.argmax(likeness)) not in names:
-            names[int(np.argmax(likeness))] = name
-    return names
+def _settled(basis: _Array, directions: list[_Array]) -> _Array:
+    """Orthonormal basis (n_nodes, m) of the same space that begins with `directions`; the rest is the sheet's own too.
+
+    Of what is left, each vector is the one that moves one node most; weights in a geometric progression keep the nodes
+    of a symmetric sheet from being alike.
+    """
+    first = np.array(directions).reshape(len(directions), len(basis)).T
+    size = basis.shape[1] - len(directions)
+    if size == 0:
+        return first
+    rest = basis @ np.linalg.qr(basis.T @ first, mode="complete")[0][:, len(directions) :] if len(directions) else basis
+    if size > 1:
+        from scipy.linalg import qr
+
+        weight = np.exp(-np.linspace(0, 1, len(basis)))
+        rest = rest @ qr((weight[:, None] * rest).T, mode="economic", pivoting=True)[0]
+    return np.concatenate([first, rest], axis=1)
+
+
+def _upwards(vector: _Array) -> _Array:
+    """Shape of largest deflection 1: the first of the nodes that move most moves up."""
+    size = np.abs(vector)
+    return vector / math.copysign(size.max(), vector[_first_largest(size)])
+
+
+def _first_largest(values: _Array) -> int:
+    """Index of the largest value, the first of those that differ from it by rounding."""
+    return int(np.argmax(values > (1 - 10**-_ALIKE) * values.max()))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -72,7 +73,10 @@ def plot_curve(curve: Curve) -> Figure:
     if curve.fit is not None:
         grid = np.linspace(f.min(), f[curve.fitted].max(), 400)
         axes.plot(grid, curve.fit(grid), color="black", lw=1.2, zorder=1, label="Lorentz fit (5.5)")
-        axes.text(0.02, 0.97, _fit_in_words(curve), transform=axes.transAxes, va="top", fontsize=8.5, linespacing=1.4)
+    axes.text(
+        0.02, 0.97, _fit_in_words(curve), transform=axes.transAxes, va="top", fontsize=8.5, linespacing=1.4,
+        parse_math=curve.fit is not None,  # a reason may hold a dollar sign
+    )  # fmt: skip
     for gait, (marker, colour) in MARKERS.items():
         for in_part in (False, True):
             # A failed point has a mark as well where some of its runs went on.
@@ -104,7 +108,8 @@ def plot_curve(curve: Curve) -> Figure:
 
 def _fit_in_words(curve: Curve) -> str:
     fit = curve.fit
-    assert fit is not None
+    if fit is None:
+        return textwrap.fill(f"no Lorentz fit: {curve.no_fit}", 70) if curve.no_fit else ""
 
     def line(name: str, value: float, interval: tuple[float, float], unit: str) -> str:
         return f"{name} = {value:.4g} {unit}  [{interval[0]:.4g}, {interval[1]:.4g}]"

@@ -73,8 +73,16 @@ class Sheet(Model):
 
     @property
     def natural_frequency(self) -> float:
-        """First-order natural angular frequency ω_n, rad/s: the dish mode, in which the sheet bends up and down."""
-        return self.free_modes.dish.omega
+        """First-order natural angular frequency ω_n, rad/s: of the dish mode, in which the sheet bends up and down.
+
+        Of a sheet so much longer than wide that no mode is a dish, the lowest mode that bends it: `Modes.natural`.
+
+        Raises
+        ------
+        InputError
+            When no mode bends the sheet.
+        """
+        return self.free_modes.natural.omega
 
     def with_natural_frequency(self, omega: float | str, nominal: float | str | None = None) -> Sheet:
         """Same sheet, same mass, at another natural frequency: k_b scaled by the square, as in section 4.4.
@@ -84,8 +92,8 @@ class Sheet(Model):
         omega : float or str
             Wanted ω_n, rad/s; text may say "10 pi rad/s" or "5 Hz".
         nominal : float or str, optional
-            What this sheet's own ω_n is taken to be, rad/s. By default its dish mode, so that the result's dish mode is
-            what was asked for. The dissertation calls Table 4.1's sheet 10π (its dish mode is 10.32π): pass
+            What this sheet's own ω_n is taken to be, rad/s. By default its `natural_frequency`, so that the result's
+            is what was asked for. The dissertation calls Table 4.1's sheet 10π (its dish mode is 10.32π): pass
             ``10 * pi`` to scale exactly as it does.
 
         Raises

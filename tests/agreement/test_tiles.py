@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from plategait.engine.tiles import TileModel, run_tiles, tile_modes
-from plategait.modes import _names
 from plategait.observables import rotation, spin_rate
 from plategait.presets import PLATE_HEIGHT, preset
 from plategait.simulation import simulate_all
@@ -36,9 +35,10 @@ def test_modes_agree(name):
     # Two discretisations of one plate: 88 edge hinges with rotary inertia against 72 node hinges without. Their
     # difference is of the order of (l/R)²: 4 % measured.
     frequency, shapes = tile_modes(tiles())
-    moving = frequency > 1e-3 * frequency.max()
-    index = {n: i for i, n in _names(LATTICE, shapes[moving].T).items()}
-    assert frequency[moving][index[name]] == pytest.approx(getattr(CHEESE.sheet.free_modes, name).omega, rel=0.05)
+    mode = getattr(CHEESE.sheet.free_modes, name)
+    alike = np.abs(shapes @ mode.shape) / np.linalg.norm(shapes, axis=1).clip(1e-9) / np.linalg.norm(mode.shape)
+    assert alike.max() > 0.98
+    assert frequency[np.argmax(alike)] == pytest.approx(mode.omega, rel=0.05)
 
 
 def test_spin_curves_agree():

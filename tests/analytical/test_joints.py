@@ -82,6 +82,7 @@ def test_joints_carry_no_net_force_or_moment():
     np.testing.assert_allclose(after[1], before[1], atol=1e-12)
 
 
+@pytest.mark.linear_algebra
 def test_a_clamped_strip_becomes_an_euler_bernoulli_beam():
     # A joint stands for the beam half a pitch to either side of it. With two nodes held, the first joint's beam begins
     # midway between them: n free nodes are a cantilever of n + 1 pitches.
@@ -122,6 +123,7 @@ def test_a_free_isotropic_disk_becomes_a_plate():
     assert (errors[1] < errors[0]).all()
 
 
+@pytest.mark.linear_algebra
 def test_the_engine_rings_at_the_frequencies_of_the_modes():
     # Let go in the shape of its dish mode, the cheese comes back after one period: engine and eigenproblem agree.
     sheet = Sheet(

@@ -18,6 +18,8 @@ from plategait.identify.tilt_synthetic import ring_recording, slide_length, tilt
 from plategait.presets import preset
 from plategait.theory import GRAVITY
 
+pytestmark = pytest.mark.linear_algebra
+
 CHEESE = preset("cheese").scenario.sheet
 QUIET = {"noise": 0.0, "angle_noise": 0.0}
 

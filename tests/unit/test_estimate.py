@@ -17,11 +17,12 @@ from plategait.estimate.emulator import brackets, fit_rates, fit_run_off, log_be
 from plategait.estimate.judgement import judge
 from plategait.estimate.linear import estimate_linear, line
 from plategait.estimate.observations import Condition, observe_curves
-from plategait.estimate.parameters import FRICTION_ANGLE, NATURAL_FREQUENCY, first_natural_frequency, unknowns
+from plategait.estimate.parameters import FRICTION_ANGLE, NATURAL_FREQUENCY, unknowns
 from plategait.estimate.result import measured_as
 from plategait.lorentz import LorentzFit
-from plategait.outline import Rectangle
 from plategait.presets import preset
+
+pytestmark = pytest.mark.linear_algebra
 
 CHEESE = measured_as(preset("cheese").scenario)
 MOTION = CHEESE.motion
@@ -58,13 +59,6 @@ def test_a_known_ratio_is_no_unknown_and_holds():
     chosen = unknowns(CHEESE, friction_ratio=0.8)
     assert chosen.names == ["natural_frequency", "friction_angle"]
     assert chosen.scenario([30.0, 0.6]).friction.ratio == pytest.approx(0.8)
-
-
-def test_a_sheet_without_a_dish_mode_counts_its_lowest():
-    strip = CHEESE.sheet.replace(outline=Rectangle(length="80 mm", width="10 mm"))
-    omega = first_natural_frequency(strip)
-    assert omega > 0
-    assert first_natural_frequency(parameters.scaled_to(strip, 2 * omega)) == pytest.approx(2 * omega, rel=1e-9)
 
 
 @pytest.mark.parametrize("bad", [{"free": ("colour",)}, {"friction_ratio": 0.0}, {"friction_ratio": 1.2}])

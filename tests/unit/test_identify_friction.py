@@ -198,6 +198,7 @@ def test_several_tilts_give_their_mean_with_student_s_t():
 # Rings
 
 
+@pytest.mark.linear_algebra
 def test_a_signal_that_rests_or_is_noise_rings_nowhere():
     time = np.arange(0, 2, 1 / 400)
     noise = np.random.default_rng(3).normal(0, 1e-4, len(time))
@@ -208,6 +209,7 @@ def test_a_signal_that_rests_or_is_noise_rings_nowhere():
         assert "not determined" in result.notes[-1]
 
 
+@pytest.mark.linear_algebra
 @pytest.mark.parametrize("ratio", [1.0, 1.5, 4.0])
 def test_what_settles_without_ringing_is_not_determined(ratio):
     from plategait.identify.decay import mode_columns
@@ -235,6 +237,7 @@ def test_rows_before_the_release_are_left_out_when_told():
     assert any("--from" in n for n in rung(time, y).notes)
 
 
+@pytest.mark.linear_algebra
 def test_a_length_that_is_not_sure_makes_k_b_four_times_less_sure():
     time, y = ring_recording([25], [0.03], seed=1)
     sure, unsure = (rung(time, y, support="cantilever", length=0.02, length_sd=sd) for sd in (0.0, 2e-4))
@@ -256,6 +259,7 @@ def test_bad_options_are_refused_in_a_line():
             rung(time, y, **options)
 
 
+@pytest.mark.linear_algebra
 def test_torsion_keeps_its_ratio_to_bending():
     twisted = CHEESE.replace(torsion_stiffness=CHEESE.bending_stiffness / 2)
     recording = RingRecording("ring", "deflection", *ring_recording([6], [0.03]))

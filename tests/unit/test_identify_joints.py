@@ -242,6 +242,7 @@ def test_stiffness_goes_with_the_assumed_mass(strip, sagged):
     assert heavy.stiffness.value == pytest.approx(2 * sagged.stiffness.value, rel=1e-5)
 
 
+@pytest.mark.linear_algebra
 def test_rows_before_the_release_are_cut_off(strip, sagged):
     angles = strip.angles
     held = np.arange(40) / 480

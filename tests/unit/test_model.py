@@ -224,6 +224,10 @@ def test_the_natural_frequency_converges_with_the_pitch():
     assert abs(frequencies[0] / last - 1) < 0.12
     assert abs(frequencies[2] / last - 1) < 0.05
     assert abs(frequencies[3] / last - 1) < 0.03
+
+
+@pytest.mark.linear_algebra
+def test_the_natural_frequency_of_a_square_converges_with_the_pitch():
     square = Sheet(**{**MINIMAL, "outline": Rectangle(length=0.06, width=0.06)})
     omega = [square.replace(pitch=0.06 / n).natural_frequency for n in (6, 12, 24)]
     assert abs(omega[2] - omega[1]) < 0.6 * abs(omega[1] - omega[0])  # at least first order, no raggedness here
@@ -268,6 +272,7 @@ def test_a_sheet_without_bending_stiffness_cannot_be_scaled():
         CHEESE.sheet.with_natural_frequency("10 pi rad/s", nominal=0)
 
 
+@pytest.mark.linear_algebra
 @pytest.mark.parametrize("torsion", [0.0, 5e-5, 1.56e-4])
 def test_the_modes_are_named_by_their_shape(torsion):
     sheet = CHEESE.sheet.replace(torsion_stiffness=torsion)
@@ -285,10 +290,21 @@ def test_the_modes_are_named_by_their_shape(torsion):
     assert sheet.free_modes.twist.omega < sheet.free_modes.dish.omega
 
 
-def test_a_sheet_without_a_dish_mode_says_so():
-    strip = Sheet(**{**MINIMAL, "outline": Rectangle(length=0.05, width=0.01)})
+@pytest.mark.linear_algebra
+def test_a_sheet_without_a_dish_mode_says_so_and_counts_its_lowest():
+    strip = Sheet(**{**MINIMAL, "outline": Rectangle(length=0.08, width=0.01)})
     with pytest.raises(InputError, match="dish"):
-        _ = strip.natural_frequency
+        _ = strip.free_modes.dish
+    omega = strip.natural_frequency
+    assert omega == strip.free_modes.modes[0].omega > 0
+    assert strip.with_natural_frequency(2 * omega).natural_frequency == pytest.approx(2 * omega, rel=1e-9)
+
+
+@pytest.mark.parametrize("cut", [{"outline": Rectangle(length=0.02, width=0.02)}, {"bending_stiffness": 0.0}])
+def test_a_sheet_that_nothing_bends_has_no_natural_frequency(cut):
+    stiff = Sheet(**{**MINIMAL, "outline": Rectangle(length=0.08, width=0.01), **cut})
+    with pytest.raises(InputError, match="bends the sheet"):
+        _ = stiff.natural_frequency
 
 
 def test_a_sheet_of_one_node_slides_as_a_block():

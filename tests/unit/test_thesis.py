@@ -69,8 +69,7 @@ def test_the_fast_fit_finds_the_minimum_of_the_full_one():
 
 @pytest.mark.parametrize("rate", [[0.0] * 8, [1.0, 2, 3, 4, 5, 6, 7, 8], [8.0, 7, 6, 5, 4, 3, 2, 1]])
 def test_the_fast_fit_finds_no_peak_where_there_is_none_to_see(rate):
-    fit = fit_shape(np.arange(13.0, 21.0), rate)
-    assert fit is None or fit.f0_hz >= 13
+    assert fit_shape(np.arange(13.0, 21.0), rate) is None
 
 
 def test_cases_are_those_of_the_source():

@@ -36,6 +36,7 @@ def angles(rate: float, time: np.ndarray, seed: int = 0, frequency: float = FREQ
     return (angle + np.pi) % (2 * np.pi) - np.pi
 
 
+@pytest.mark.linear_algebra
 @pytest.mark.parametrize("fps", [30.0, 60.0, 120.0])
 @pytest.mark.parametrize("rate", [0.0, 15.0, -56.6, 251.7, 750.0, -2500.0])
 def test_spin_rate_with_two_fifths_of_the_frames_hidden(rate: float, fps: float) -> None:
@@ -63,6 +64,7 @@ def test_interval_covers_the_truth_about_as_often_as_it_says() -> None:
     assert hits >= 51
 
 
+@pytest.mark.linear_algebra
 def test_outliers_do_not_move_the_rate() -> None:
     time = np.arange(0, 3, 1 / 60)
     angle = angles(120.0, time)
@@ -73,6 +75,7 @@ def test_outliers_do_not_move_the_rate() -> None:
     assert math.degrees(spin.rate) == pytest.approx(120.0, abs=1.2)
 
 
+@pytest.mark.linear_algebra
 def test_what_frames_cannot_tell_is_no_rate() -> None:
     time = np.arange(0, 2, 1 / 30)
     every = np.ones(len(time), bool)
@@ -122,6 +125,7 @@ def test_uneven_frames_tell_rates_apart_that_even_ones_do_not() -> None:
     assert spin_of(uneven, angles(100, uneven), np.ones(60, bool)).aliases == ()
 
 
+@pytest.mark.linear_algebra
 def test_parallax_of_a_lifted_marker_is_taken_out() -> None:
     time, length, f = np.arange(120) / 30, 0.03, 7.0
     true = np.radians(200) * time
@@ -145,6 +149,7 @@ def test_parallax_of_a_lifted_marker_is_taken_out() -> None:
     assert parallax.bending(time, angle / 100, apart, np.zeros((120, 2)), eye, f) is None
 
 
+@pytest.mark.linear_algebra
 def test_the_plate_tells_its_tilt_its_frequency_and_the_lens() -> None:
     clip = Clip(tilt=10.0)
     camera, time = camera_of(clip), np.arange(90) / 30

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from plategait.errors import InputError
 from plategait.scenario import Scenario
-from plategait.sheet import Sheet
 
 Array = NDArray[np.float64]
 
@@ -96,7 +95,7 @@ class Unknowns:
         given = dict(zip(self.names, map(float, values), strict=True))
         base, sheet = self.base, self.base.sheet
         if "natural_frequency" in given:
-            sheet = scaled_to(sheet, given["natural_frequency"])
+            sheet = sheet.with_natural_frequency(given["natural_frequency"])
         if "mass" in given:
             # The bending stiffness follows, so that ω_n stays what it is.
             sheet = sheet.replace(mass=sheet.mass * given["mass"],
@@ -112,20 +111,6 @@ class Unknowns:
             contact = contact.replace(damping=contact.damping * given["contact_damping"])
         made: Scenario = base.replace(sheet=sheet, friction=friction, contact=contact)
         return made
-
-
-def scaled_to(sheet: Sheet, omega: float) -> Sheet:
-    """Sheet with its natural frequency at `omega` (rad/s): the dish mode, or the lowest of a sheet that has none."""
-    return sheet.with_natural_frequency(omega, nominal=first_natural_frequency(sheet))
-
-
-def first_natural_frequency(sheet: Sheet) -> float:
-    """ω_n of a sheet, rad/s: the dish mode, or the lowest elastic mode of a sheet that has none."""
-    try:
-        return sheet.natural_frequency
-    except InputError:
-        elastic = [m.omega for m in sheet.free_modes.modes if m.omega > 1e-3 * sheet.free_modes.modes[-1].omega]
-        return elastic[0]
 
 
 def unknowns(

@@ -96,7 +96,7 @@ def value_of(fit: Shape | None, name: str) -> float:
 
 def _fit(curve: Curve, fit_from: float) -> Shape | None:
     kept = curve.fitted & (curve.frequency_hz >= fit_from)
-    return fit_shape(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept])
+    return fit_shape(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept], ends_in_failure=curve.ends_in_failure)
 
 
 @dataclass(frozen=True, eq=False)

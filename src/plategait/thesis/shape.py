@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plategait.lorentz import first_guess, lorentzian
+from plategait.peak import unseen_peak
 
 _FEWEST = 5
 
@@ -31,11 +32,11 @@ class Shape:
         return lorentzian(frequency, self.peak, self.f0_hz, self.half_width_hz)
 
 
-def fit_shape(frequency: ArrayLike, rate: ArrayLike) -> Shape | None:
+def fit_shape(frequency: ArrayLike, rate: ArrayLike, *, ends_in_failure: bool = False) -> Shape | None:
     """Least-squares fit of (5.5), the same minimum as `plategait.lorentz.fit_lorentzian`; None without a peak.
 
-    There is none with fewer than five points, with f0 below the first frequency or so far above the last that nothing
-    bends, or with a width under a thousandth of their span.
+    There is none with fewer than five points, or where they do not show it by the rule of
+    `plategait.peak.unseen_peak`. `ends_in_failure`: whether the object ran off at the next higher frequency.
     """
     from scipy.optimize import least_squares
 
@@ -51,7 +52,7 @@ def fit_shape(frequency: ArrayLike, rate: ArrayLike) -> Shape | None:
     starts = [(peak / largest, f0, width), (1.0, f[np.argmax(y)], np.ptp(f) / 4)]
     found = min((least_squares(residual, start, method="lm", max_nfev=400) for start in starts), key=lambda r: r.cost)
     peak, f0, width = float(found.x[0]), float(found.x[1]), abs(float(found.x[2]))
-    if not f.min() <= f0 <= f.max() + width / np.sqrt(3) or width < np.ptp(f) / 1000:
+    if unseen_peak(f, y, f0, width, ends_in_failure=ends_in_failure):
         return None
     total = float((((y - y.mean()) / largest) ** 2).sum())
     return Shape(peak * largest, f0, width, 1 - 2 * float(found.cost) / total)
