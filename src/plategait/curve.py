@@ -198,7 +198,7 @@ def parse_frequencies(text: str) -> list[float]:
     unit = pieces[-1].lstrip("0123456789.eE+- ")
     try:
         # A piece without a unit takes that of the last.
-        numbers = [FREQUENCY.read(p if p[-1:].isalpha() else f"{p} {unit}", "frequency") for p in pieces]
+        numbers = [FREQUENCY.read(p if p[-1:].isalpha() else f"{p} {unit}".strip(), "frequency") for p in pieces]
     except InputError:
         numbers = []
     if separator == "," and numbers:

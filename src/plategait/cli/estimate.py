@@ -6,9 +6,11 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
+import numpy as np
 import typer
 
 from plategait.cli import options, report
+from plategait.cli.command import refuse, take_only
 from plategait.errors import InputError
 from plategait.outline import Disk
 from plategait.output import PICTURES, check_outputs
@@ -21,13 +23,14 @@ if TYPE_CHECKING:
     from plategait.estimate.result import Estimate
     from plategait.motion import PlateMotion
 
-_MASS = Quantity("kg", "g", "13.6 g", above=0)
-_LENGTH = Quantity("m", "mm", "40 mm", above=0)
+_MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
+_LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
 _TIME = Quantity("s", "s", "2 s", above=0)
 _SHARE = Quantity("", "", "0.05", above=0)
 
 
 def estimate(
+    context: typer.Context,
     curve_files: Annotated[
         list[Path],
         typer.Argument(metavar="CURVE.csv...", help="Columns frequency_hz, spin_rate_deg_s, …; one or more."),
@@ -80,13 +83,15 @@ def estimate(
     from plategait.estimate.result import measured_as
 
     check_outputs((out, (".toml",), "--out"), (plot, PICTURES, "--plot"))
+    _refuse_idle(context, method)
     base = _object(options.build(scenario, stroke=stroke, measured=measured), mass, radius)
-    base = measured_as(base, duration=_TIME.read(duration, "--duration"),
-                       slip_limit=_LENGTH.read(slip_limit, "--slip-limit"))  # fmt: skip
     curves = [read_curve(path) for path in curve_files]
+    _refuse_told(context, curves)
     motions = _motions(base, angle or [], len(curves))
     if method != "posterior":
         return _linear(curves, base.replace(motion=motions[0]), method, coefficients, out, as_json)
+    base = measured_as(base, duration=_TIME.read(duration, "--duration"),
+                       slip_limit=_LENGTH.read(slip_limit, "--slip-limit"))  # fmt: skip
     _posterior(
         curves, base, motions, out, plot, as_json, seed=seed,
         given={
@@ -96,6 +101,30 @@ def estimate(
         asked=_wanted(want_frequency, want_angle) if plan or want_frequency or want_angle else None,
         angles=[PLATE_ANGLE.read(c, "--candidate-angle") for c in candidate or []],
     )  # fmt: skip
+
+
+def _refuse_idle(context: typer.Context, method: str) -> None:
+    """Refuse options that the method has no use for."""
+    given = context.params
+    if method == "posterior":
+        refuse(context, ["coefficients"], "with --method posterior", "--method linear")
+        if not (given["plan"] or given["want_frequency"] or given["want_angle"]):
+            refuse(context, ["candidate"], "without --next", "--next")
+        return
+    if not given["out"]:
+        # Only the stiffness that is written is that of an object of a certain mass.
+        refuse(context, ["measured", "mass"], f"with --method {method} and no --out", "--out object.toml")
+    used = ["curve_files", "measured", "mass", "scenario", "angle", "stroke", "radius", "method", "coefficients", "out", "as_json"]
+    take_only(context, used, f"with --method {method}", "--method posterior")
+
+
+def _refuse_told(context: typer.Context, curves: list[Curve]) -> None:
+    """Refuse what the curves tell themselves, point by point."""
+    if all(c.angle_deg is not None and np.isfinite(c.angle_deg).all() for c in curves):
+        refuse(context, ["angle"], "with curves that have a column angle_deg", "the file without that column")
+    rated = [np.isfinite(c.spin_rate_deg_s) for c in curves]
+    if all((c.spin_rate_sd_deg_s[r] > 0).all() for c, r in zip(curves, rated, strict=True)):
+        refuse(context, ["noise"], "with curves that have a column spin_rate_sd_deg_s", "the file without that column")
 
 
 def _object(base: Scenario, mass: str | None, radius: str | None) -> Scenario:
@@ -152,6 +181,7 @@ def _linear(
 
     if len(curves) != 1:
         raise InputError("CURVE.csv", f"{len(curves)} curves", f"one curve for --method {method}", "--method posterior")
+    base = _told_by(curves[0], base, method)
     fit = fit_curve(curves[0])
     if fit.fit is None:
         raise InputError("CURVE.csv", f"a curve without a Lorentz fit ({fit.no_fit})",
@@ -171,6 +201,15 @@ def _linear(
         rows = [[_WORDS[n], f"{v['median']:.2f} ± {v['sd']:.2f} {v['unit']}"] for n, v in numbers.items()]
         report.print_table(f"{found.method} method, {found.coefficients} coefficients", ["", "± one sd"], rows)
     raise typer.Exit(1 if found.refused else 0)
+
+
+def _told_by(curve: Curve, base: Scenario, method: str) -> Scenario:
+    """Scenario at the amplitude that the curve's own column tells."""
+    told = [] if curve.angle_deg is None else np.unique(curve.angle_deg[np.isfinite(curve.angle_deg)]).tolist()
+    if len(told) > 1:
+        raise InputError("CURVE.csv", f"points at {' and '.join(f'{a:g}' for a in told[:4])} deg",
+                         f"of one amplitude for --method {method}", "--method posterior")  # fmt: skip
+    return base.replace(**{"motion.angle": math.radians(told[0])}) if told else base
 
 
 def _posterior(

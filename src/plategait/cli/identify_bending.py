@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from plategait.cli import identified, options, report
+from plategait.cli.command import refuse
 from plategait.identify.likelihood import known
 from plategait.identify.shown import words
 from plategait.units import Quantity
@@ -22,6 +23,7 @@ _MASS = Quantity("kg", "g", "0.285 g", above=0)
 
 
 def bending(
+    context: typer.Context,
     recording: Annotated[
         Path,
         typer.Argument(metavar="CANTILEVER.csv", help="Columns time_s, phi1_deg, phi2_deg, or time_s, x0_mm to y2_mm."),
@@ -50,6 +52,8 @@ def bending(
 ) -> None:
     """Stiffness and damping of the bending joint from how a released strip sags."""
     identified.check_files(out, plot)
+    if method == "regression":
+        refuse(context, ["wall"], "with --method regression", "--method trajectory")
     from plategait.identify.bending import identify_bending
     from plategait.identify.markers import read_angles
     from plategait.identify.recording import Window

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from plategait.cli import identified, options, report
+from plategait.cli.command import refuse
 from plategait.identify.shown import words
+from plategait.presets import as_scenario
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
@@ -22,6 +24,7 @@ _AREA_MASS = Quantity("kg/m^2", "kg/m^2", "2.7 kg/m^2", above=0)
 
 
 def ring(
+    context: typer.Context,
     recording: Annotated[
         Path, typer.Argument(metavar="RING.csv", help="Columns time_s and one of deflection_mm, angle_deg, signal.")
     ],
@@ -45,12 +48,14 @@ def ring(
 ) -> None:
     """Bending stiffness and damping from how a sheet, or a strip of it, rings after it was let go."""
     identified.check_files(out, plot)
+    if support == "free":
+        refuse(context, ["length", "length_sd", "mass_per_area"], "with --support free", "--support cantilever")
     from plategait.identify.ring import identify_ring
     from plategait.identify.ring_recording import read_ring
 
     first, last = identified.between(start, end)
     result = identify_ring(
-        read_ring(recording), options.load(sheet, "--sheet").sheet,
+        read_ring(recording), as_scenario(sheet, "--sheet").sheet,
         support=support,  # type: ignore[arg-type]
         length=identified.LENGTH.read(length, "--length") if length is not None else None,
         length_sd=_LENGTH_SD.read(length_sd, "--length-sd"),
