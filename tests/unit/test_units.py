@@ -189,8 +189,7 @@ def test_turns_and_radians_are_not_mixed_up(quantity, text, right):
 
 def test_the_message_names_field_value_range_and_a_way_out():
     assert str(refused(LENGTH, -1)) == (
-        "the_field: got -1, must be a number in mm or another unit of m above 0 mm and at most 10000 mm; "
-        'try "10 mm"'
+        'the_field: got -1, must be a number in mm or another unit of m above 0 mm and at most 10000 mm; try "10 mm"'
     )
     limited = Quantity("m", "mm", "3 mm", at_least=1e-3, at_most=5e-3)
     assert "at least 1 mm and at most 5 mm" in str(refused(limited, "6 mm"))

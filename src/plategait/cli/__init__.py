@@ -252,7 +252,9 @@ app.command(name="plot", cls=Command)(plot_store)
 app.command(cls=Command)(thesis)
 
 
-def _drawn(build: Callable[..., Scenario], draws: int, seed: int, engine: str) -> dict[str, float | int | None]:
+def _drawn(
+    build: Callable[..., Scenario], draws: int, seed: int, engine: options.Engine
+) -> dict[str, float | int | None]:
     """Spin rates of draws of what was measured: median and 95 % interval, deg/s, and how many failed."""
     import numpy as np
 
@@ -261,7 +263,7 @@ def _drawn(build: Callable[..., Scenario], draws: int, seed: int, engine: str) -
     generator = np.random.default_rng(seed)
     scenarios = [build(generator=generator) for _ in range(draws)]
     with report.progress_bar("drawing") as progress:
-        runs = simulation.simulate_all(scenarios, seed=seed, engine=engine, progress=progress)  # type: ignore[arg-type]
+        runs = simulation.simulate_all(scenarios, seed=seed, engine=engine, progress=progress)
     rates = np.degrees([r.spin_rate for r in runs if not r.failed])
     low, middle, high = np.quantile(rates, [0.025, 0.5, 0.975]).tolist() if len(rates) else (None, None, None)
     return {"runs": draws, "failed": draws - len(rates), "spin_rate_deg_s": middle, "low": low, "high": high}

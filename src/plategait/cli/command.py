@@ -22,11 +22,14 @@ if TYPE_CHECKING:
 _LAID_OVER = {
     "motion.frequency": "frequency", "motion.angle": "angle", "motion.stroke": "stroke", "sheet.mass": "mass",
     "friction.static": "mu_s", "friction.kinetic": "mu_k", "friction.law": "friction_law", "friction_ratio": "beta",
-    "time_step": "dt", "preset": "shown", "look.exposure": "exposure", "look.noise": "noise", "look.crf": "crf", "look.hidden": "hidden",
+    "time_step": "dt", "preset": "shown", "look.exposure": "exposure", "look.noise": "noise", "look.crf": "crf",
+    "look.hidden": "hidden",
 }  # fmt: skip
 
 # What is left where a number and its unit were typed without quotes.
-_LOOSE_UNIT = re.compile(r"Got unexpected extra arguments?(?:\(s\))? \((deg|rad|m|mm|cm|s|ms|g|kg|hz|khz|pi|π)\b.*\)", re.IGNORECASE)
+_LOOSE_UNIT = re.compile(
+    r"Got unexpected extra arguments?(?:\(s\))? \((deg|rad|m|mm|cm|s|ms|g|kg|hz|khz|pi|π)\b.*\)", re.IGNORECASE
+)
 
 
 class Command(TyperCommand):
@@ -90,7 +93,7 @@ def take_only(context: typer.Context, names: Collection[str], where: str, hint: 
 
 def usage_line(error: TyperException) -> str:
     """One line for what the parser refuses, with the help of the command that it was typed for."""
-    said = " ".join(error.format_message().split()).rstrip(".")
+    said = " ".join(error.format_message().split()).rstrip(".").replace("Value error, ", "")
     context = getattr(error, "ctx", None)
     loose = _LOOSE_UNIT.fullmatch(said)
     if loose:

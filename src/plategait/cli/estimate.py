@@ -114,7 +114,10 @@ def _refuse_idle(context: typer.Context, method: str) -> None:
     if not given["out"]:
         # Only the stiffness that is written is that of an object of a certain mass.
         refuse(context, ["measured", "mass"], f"with --method {method} and no --out", "--out object.toml")
-    used = ["curve_files", "measured", "mass", "scenario", "angle", "stroke", "radius", "method", "coefficients", "out", "as_json"]
+    used = (
+        "curve_files", "scenario", "measured", "mass", "angle", "stroke", "radius", "method", "coefficients", "out",
+        "as_json",
+    )  # fmt: skip
     take_only(context, used, f"with --method {method}", "--method posterior")
 
 

@@ -34,7 +34,7 @@ def sweep(
     if status:
         if store is not None:
             refuse(context, ["store"], "with --status", f"plategait sweep {store} --status")
-        take_only(context, ["plan", "status", "as_json"], "with --status, which runs nothing", f"plategait sweep {plan}")
+        take_only(context, ["plan", "status", "as_json"], "with --status", f"plategait sweep {plan}")
         return _status(plan.with_suffix(".zarr"), as_json)
     path = store or plan.with_suffix(".zarr")
     from plategait.campaign.run import sweep as run

@@ -101,5 +101,3 @@ def _preview(path: Path, setup: Setup) -> Any:
     from plategait.vision.preview import USUAL_FPS, preview
 
     return preview(path, setup.plate_size, setup.fps or USUAL_FPS)
-
-

@@ -51,9 +51,7 @@ def track_folder(
         write_curve(found, out)
     if as_json:
         summaries = [c.track.summary() if c.track else {"clip": c.path.name, "no_spin_rate": c.trouble} for c in clips]
-        report.print_json(
-            {"curve": str(out) if out else None, "points": found.summary()["points"], "clips": summaries}
-        )
+        report.print_json({"curve": str(out) if out else None, "points": found.summary()["points"], "clips": summaries})
     else:
         columns = ["clip", "plate (Hz)", "deg/s", "± 95 %", "remark"]
         report.print_table(str(out or folder), columns, [_row(clip) for clip in clips])
