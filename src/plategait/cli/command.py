@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
-import re
 import sys
 from collections.abc import Collection, Iterable
 from pathlib import Path
@@ -22,14 +20,12 @@ if TYPE_CHECKING:
 _LAID_OVER = {
     "motion.frequency": "frequency", "motion.angle": "angle", "motion.stroke": "stroke", "sheet.mass": "mass",
     "friction.static": "mu_s", "friction.kinetic": "mu_k", "friction.law": "friction_law", "friction_ratio": "beta",
-    "time_step": "dt", "preset": "shown", "look.exposure": "exposure", "look.noise": "noise", "look.crf": "crf",
-    "look.hidden": "hidden",
+    "time_step": "dt", "preset": "shown", "marker": "fiducial", "look.exposure": "exposure", "look.noise": "noise",
+    "look.crf": "crf", "look.hidden": "hidden",
 }  # fmt: skip
 
-# What is left where a number and its unit were typed without quotes.
-_LOOSE_UNIT = re.compile(
-    r"Got unexpected extra arguments?(?:\(s\))? \((deg|rad|m|mm|cm|s|ms|g|kg|hz|khz|pi|π)\b.*\)", re.IGNORECASE
-)
+# Units that people leave outside quotes.
+_UNITS = {"deg", "rad", "m", "mm", "cm", "s", "ms", "g", "kg", "hz", "khz", "pi", "rad/s"}
 
 
 class Command(TyperCommand):
@@ -49,6 +45,8 @@ class Command(TyperCommand):
         try:
             return super().invoke(ctx)
         except InputError as error:
+            if quoted := _loose_unit(error.got):
+                raise InputError(error.field, error.got, error.allowed, f"quotes: {quoted}") from None
             name = _LAID_OVER.get(error.field, error.field)
             option = next((p for p in self.params if p.name == name and _given(ctx, name)), None)
             if option is None or option.param_type_name == "argument":
@@ -95,11 +93,19 @@ def usage_line(error: TyperException) -> str:
     """One line for what the parser refuses, with the help of the command that it was typed for."""
     said = " ".join(error.format_message().split()).rstrip(".").replace("Value error, ", "")
     context = getattr(error, "ctx", None)
-    loose = _LOOSE_UNIT.fullmatch(said)
-    if loose:
-        number = next((before for before, unit in itertools.pairwise(sys.argv) if unit == loose[1]), "3")
-        return f'{said}; try quotes around a number with its unit: "{number} {loose[1]}"'
+    if quoted := _loose_unit(said.rpartition("(")[2].rstrip(")")):
+        return f"{said}; try quotes: {quoted}"
     return f"{said}; try {context.command_path if context else 'plategait'} --help"
+
+
+def _loose_unit(got: object) -> str:
+    """Number and unit as they should have been typed, where this is a unit that stands alone behind a number."""
+    unit = got.partition(" ")[0] if isinstance(got, str) else ""
+    if unit.lower() not in _UNITS or unit not in sys.argv:
+        return ""
+    last = sys.argv.index(unit)
+    first = next((i for i in range(last - 1, 0, -1) if sys.argv[i].lower() not in _UNITS), 0)
+    return f'"{" ".join(sys.argv[first : last + 1])}"' if sys.argv[first][-1:].isdigit() else ""
 
 
 def _given(context: typer.Context, name: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 import typer
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from plategait.estimate.planning import Plan
     from plategait.estimate.result import Estimate
     from plategait.motion import PlateMotion
+
+Method = Literal["posterior", "linear", "quadratic"]
+Coefficients = Literal["published", "refitted"]
 
 _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
@@ -45,10 +48,13 @@ def estimate(
     stroke: options.Stroke = None,
     mass: Annotated[str | None, typer.Option("--mass", help='Mass of the object: "13.6 g".')] = None,
     radius: Annotated[str | None, typer.Option("--radius", help='Radius of a disk: "40 mm".')] = None,
-    method: Annotated[str, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")] = "posterior",
+    method: Annotated[
+        Method, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")
+    ] = "posterior",
     coefficients: Annotated[
-        str, typer.Option("--coefficients", help="Of the linear method: published, or refitted to our simulations.")
-    ] = "published",
+        Coefficients | None,
+        typer.Option("--coefficients", help="Of linear: published, or refitted to our simulations as quadratic's are."),
+    ] = None,
     beta: Annotated[str | None, typer.Option("--beta", help="Kinetic over static friction, where it is known.")] = None,
     free: Annotated[
         list[str] | None,
@@ -61,7 +67,7 @@ def estimate(
     slip_limit: Annotated[
         str, typer.Option("--slip-limit", help="Slip at which the object counts as run off.")
     ] = "20 mm",
-    confidence: Annotated[float, typer.Option("--confidence", help="Of the intervals.")] = 0.9,
+    confidence: Annotated[str, typer.Option("--confidence", help="Of the intervals: 0.9 or 90%.")] = "90%",
     plan: Annotated[bool, typer.Option("--next", help="Say also what to measure next.")] = False,
     candidate: Annotated[
         list[str] | None,
@@ -95,8 +101,9 @@ def estimate(
     _posterior(
         curves, base, motions, out, plot, as_json, seed=seed,
         given={
-            "noise": _share(noise), "friction_ratio": None if beta is None else _SHARE.read(beta, "--beta"),
-            "free": tuple(free or ()), "confidence": confidence,
+            "noise": None if noise is None else _share(noise, "--noise"),
+            "friction_ratio": None if beta is None else _SHARE.read(beta, "--beta"),
+            "free": tuple(free or ()), "confidence": _share(confidence, "--confidence"),
         },
         asked=_wanted(want_frequency, want_angle) if plan or want_frequency or want_angle else None,
         angles=[PLATE_ANGLE.read(c, "--candidate-angle") for c in candidate or []],
@@ -156,13 +163,11 @@ def _motions(base: Scenario, angles: list[str], count: int) -> list[PlateMotion]
     return [base.motion.replace(angle=a) for a in read]
 
 
-def _share(text: str | None) -> float | None:
-    """Noise as a number, or in percent."""
-    if text is None:
-        return None
+def _share(text: str, option: str) -> float:
+    """A share as a number, or in percent."""
     if text.strip().endswith("%"):
-        return _SHARE.read(text.strip()[:-1].strip(), "--noise") / 100
-    return _SHARE.read(text, "--noise")
+        return _SHARE.read(text.strip()[:-1].strip(), option) / 100
+    return _SHARE.read(text, option)
 
 
 def _wanted(frequency: str | None, angle: str | None) -> dict[str, float]:
@@ -175,7 +180,12 @@ def _wanted(frequency: str | None, angle: str | None) -> dict[str, float]:
 
 
 def _linear(
-    curves: list[Curve], base: Scenario, method: str, coefficients: str, out: Path | None, as_json: bool
+    curves: list[Curve],
+    base: Scenario,
+    method: Literal["linear", "quadratic"],
+    coefficients: Coefficients | None,
+    out: Path | None,
+    as_json: bool,
 ) -> None:
     """The source's method on one curve."""
     from plategait.curve import fit_curve
@@ -189,7 +199,7 @@ def _linear(
     if fit.fit is None:
         raise InputError("CURVE.csv", f"a curve without a Lorentz fit ({fit.no_fit})",
                          f"one with a peak for --method {method}", "--method posterior")  # fmt: skip
-    found = estimate_linear(fit.fit, base, method=method, coefficients=coefficients)  # type: ignore[arg-type]
+    found = estimate_linear(fit.fit, base, method=method, coefficients=coefficients)
     if out and not found.refused:
         write_fragment(found.to_fragment(base), out)
     if as_json:

@@ -77,7 +77,7 @@ def read_part(text: str | None) -> float | None:
 def read_size(text: str) -> tuple[float, float]:
     """Length and width of a plate, m, from "100 mm x 80 mm", or "100 mm" for a square one."""
     parts = [part.strip() for part in text.lower().replace("×", "x").split("x")]
-    if not 1 <= len(parts) <= 2:
+    if not 1 <= len(parts) <= 2 or not all(parts):
         raise InputError("--plate-size", text, "one length, or two with an x between", '"100 mm x 80 mm"')
     unit = parts[-1].lstrip("0123456789.eE+- ")
     sizes = [LENGTH.read(p if p[-1:].isalpha() else f"{p} {unit}".strip(), "--plate-size") for p in parts]

@@ -27,7 +27,7 @@ KINDS = ("bending", "compression", "friction", "modes")
 
 @identify.command(cls=Command)
 def example(
-    kind: Annotated[str, typer.Argument(help=f"One of {', '.join(KINDS)}.")],
+    kind: Annotated[str, typer.Argument(metavar="KIND", help=f"One of {', '.join(KINDS)}.")],
     out: Annotated[Path, typer.Argument(metavar="FILE.csv", help="Where to write it.")],
     seed: options.Seed = 0,
 ) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -29,7 +29,8 @@ def ring(
         Path, typer.Argument(metavar="RING.csv", help="Columns time_s and one of deflection_mm, angle_deg, signal.")
     ],
     support: Annotated[
-        str, typer.Option("--support", help="free: the whole sheet, its dish mode. cantilever: a strip clamped level.")
+        Literal["free", "cantilever"],
+        typer.Option("--support", help="free: the whole sheet, its dish mode. cantilever: a strip clamped level."),
     ] = "free",
     sheet: Annotated[str, typer.Option("--sheet", help="Preset or scenario file whose sheet it is.")] = "cheese",
     length: Annotated[str | None, typer.Option("--length", help='Free length of the strip: "20 mm".')] = None,
@@ -56,7 +57,7 @@ def ring(
     first, last = identified.between(start, end)
     result = identify_ring(
         read_ring(recording), as_scenario(sheet, "--sheet").sheet,
-        support=support,  # type: ignore[arg-type]
+        support=support,
         length=identified.LENGTH.read(length, "--length") if length is not None else None,
         length_sd=_LENGTH_SD.read(length_sd, "--length-sd"),
         mass_per_area=_AREA_MASS.read(mass_per_area, "--mass-per-area") if mass_per_area is not None else None,

@@ -120,7 +120,7 @@ def estimate_linear(
     scenario: Scenario,
     *,
     method: Method = "linear",
-    coefficients: Coefficients = "published",
+    coefficients: Coefficients | None = None,
 ) -> LinearEstimate:
     """Estimate ω_n and α from a Lorentz fit by (5.6) and (5.7).
 
@@ -132,8 +132,8 @@ def estimate_linear(
         Tells the plate's amplitudes and the object's size, which must be those of the calibration.
     method : {"linear", "quadratic"}
         "quadratic" as section 5.6.2 suggests; with refitted coefficients only.
-    coefficients : {"published", "refitted"}
-        Those of section 5.6.1, or of this package's own simulations.
+    coefficients : {"published", "refitted"}, optional
+        Those of section 5.6.1, or of this package's own simulations. By default published where there are any.
 
     Raises
     ------
@@ -142,10 +142,10 @@ def estimate_linear(
     """
     if method not in ("linear", "quadratic"):
         raise InputError("--method", method, "posterior, linear or quadratic", "posterior")
-    if coefficients not in ("published", "refitted"):
-        raise InputError("--coefficients", coefficients, "published or refitted", "refitted")
-    if method == "quadratic":
-        coefficients = "refitted"
+    known: tuple[Coefficients, ...] = ("published", "refitted") if method == "linear" else ("refitted",)
+    coefficients = coefficients or known[0]
+    if coefficients not in known:
+        raise InputError("--coefficients", coefficients, f"{' or '.join(known)} for --method {method}", "refitted")
     motion, outline = scenario.motion, scenario.sheet.outline
     angle = next((a for a in (3, 12) if abs(math.degrees(motion.angle) / a - 1) < SLACK), None)
     if angle is None:

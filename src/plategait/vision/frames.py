@@ -222,6 +222,7 @@ def _frame_of(picture: Any, index: int, time: float, width: int, height: int) ->
 def _camera(index: int, seconds: float) -> Iterator[Video]:
     import cv2
 
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)  # what is wrong is said below
     device = cv2.VideoCapture(index)
     try:
         if not device.isOpened():
