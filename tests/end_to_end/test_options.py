@@ -192,6 +192,7 @@ def files(tmp_path_factory) -> Path:
     frequency = np.arange(14.0, 29.0)
     rows = [f"{f:g},{520 / (1 + ((f - 25) / 5.2) ** 2):.6g}" for f in frequency]
     (folder / "peak.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *rows]))
+    (folder / "few.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", rows[0], rows[6], rows[11]]))
     rows = [f"{row},3,5" for row in rows]
     (folder / "told.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s,angle_deg,spin_rate_sd_deg_s", *rows]))
     (folder / "measured.toml").write_text(
@@ -237,7 +238,9 @@ def answers(files) -> dict[str, object]:
     run = simulate(cheese, snapshot_interval=cheese.motion.period / 24)
     truth = film(run, files / "clip.mp4", usual_camera(cheese, 480, 270), 30.0, seconds=0.5)
     seen = track(files / "clip.mp4")
-    estimate = estimate_parameters(files / "peak.csv", cheese, noise=0.05, friction_ratio=0.53)
+    estimate = estimate_parameters(
+        files / "few.csv", cheese, noise=0.05, friction_ratio=0.53, known="natural_frequency"
+    )
     plan = SimpleNamespace(condition=SimpleNamespace(frequency=20.0, angle=0.1), runs_off=0.0, needed=None,
                            sd_now=dict.fromkeys(estimate.posterior.unknowns.names, 1.0),
                            sd_after=dict.fromkeys(estimate.posterior.unknowns.names, 0.5))  # fmt: skip

@@ -100,12 +100,13 @@ def usage_line(error: TyperException) -> str:
 
 def _loose_unit(got: object) -> str:
     """Number and unit as they should have been typed, where this is a unit that stands alone behind a number."""
-    unit = got.partition(" ")[0] if isinstance(got, str) else ""
-    if unit.lower() not in _UNITS or unit not in sys.argv:
+    typed, unit = sys.argv, got.partition(" ")[0] if isinstance(got, str) else ""
+    if unit.lower() not in _UNITS or unit not in typed:
         return ""
-    last = sys.argv.index(unit)
-    first = next((i for i in range(last - 1, 0, -1) if sys.argv[i].lower() not in _UNITS), 0)
-    return f'"{" ".join(sys.argv[first : last + 1])}"' if sys.argv[first][-1:].isdigit() else ""
+    place = typed.index(unit)
+    first = next((i for i in range(place, 0, -1) if typed[i].lower() not in _UNITS), 0)
+    end = next((i for i in range(place, len(typed)) if typed[i].lower() not in _UNITS), len(typed))
+    return f'"{" ".join(typed[first:end])}"' if typed[first][-1:].isdigit() else ""
 
 
 def _given(context: typer.Context, name: str) -> bool:
