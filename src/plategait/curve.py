@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +19,9 @@ from plategait.observables import GAITS
 from plategait.observation import Observation, ensemble_of
 from plategait.output import whole_file
 from plategait.peak import unseen_top
+from plategait.presets import Preset, as_scenario
 from plategait.scenario import Scenario
-from plategait.simulation import Simulation, plain, simulate_all
+from plategait.simulation import RunOptions, Simulation, check_options, plain, simulate_all
 from plategait.table import Column, read_table
 from plategait.units import FREQUENCY
 
@@ -175,8 +176,24 @@ def fit_summary(fit: LorentzFit | None) -> dict[str, Any]:
     return {key: plain(value) for key, value in numbers.items()}
 
 
-def fit_curve(curve: Curve) -> Curve:
+def as_curve(given: Curve | Path | str, field: str = "curve") -> Curve:
+    """Curve that is meant: itself, or what a CSV file holds.
+
+    Raises
+    ------
+    InputError
+        For anything else, or when the file is not as it must be.
+    """
+    if isinstance(given, Curve):
+        return given
+    if isinstance(given, (str, Path)):
+        return read_curve(given)
+    raise InputError(field, given, "a Curve or the name of its CSV file", '"curve.csv"')
+
+
+def fit_curve(curve: Curve | Path | str) -> Curve:
     """Same curve with the Lorentz fit (5.5) of its `fitted` points, or with the reason why there is none."""
+    curve = as_curve(curve)
     kept = curve.fitted
     try:
         fit = fit_lorentzian(
@@ -188,26 +205,29 @@ def fit_curve(curve: Curve) -> Curve:
 
 
 def spin_curve(
-    scenario: Scenario,
-    frequencies: Sequence[float],
-    *,
-    progress: Callable[[float], object] | None = None,
-    **options: Any,
+    scenario: Scenario | Preset | Path | str, frequencies: Sequence[float | str] | str, **options: Unpack[RunOptions]
 ) -> Curve:
     """Simulate a spin curve and fit it.
 
     Parameters
     ----------
-    scenario : Scenario
-        Run at each frequency in turn.
-    frequencies : sequence of float
-        Hz.
+    scenario : Scenario, or what tells one
+        Run at each frequency in turn; see `plategait.simulation.simulate`.
+    frequencies : sequence of float, or str
+        Hz; or text such as "12:30:1Hz", see `parse_frequencies`.
     **options
         See `plategait.simulation.simulate_all`.
+
+    Raises
+    ------
+    InputError
+        For what is no scenario or no frequencies, an unknown option, or one out of range.
     """
-    scenarios = [scenario.replace(**{"motion.frequency": float(f)}) for f in frequencies]
-    simulations = simulate_all(scenarios, progress=progress, **options)
-    shown = curve_of(scenario.name, frequencies, [s.observations for s in simulations])
+    check_options(options)
+    chosen, frequencies = as_scenario(scenario), _frequencies(frequencies)
+    scenarios = [chosen.replace(**{"motion.frequency": f}) for f in frequencies]
+    simulations = simulate_all(scenarios, **options)
+    shown = curve_of(chosen.name, frequencies, [s.observations for s in simulations])
     return fit_curve(replace(shown, simulations=tuple(simulations)))
 
 
@@ -226,6 +246,15 @@ def curve_of(name: str, frequencies: Sequence[float], observations: Sequence[Seq
     )
 
 
+def _frequencies(given: Sequence[float | str] | str) -> list[float]:
+    """Frequencies of a range as text, or of a list of numbers, Hz."""
+    if isinstance(given, str):
+        return parse_frequencies(given)
+    if not hasattr(given, "__iter__"):
+        raise InputError("frequencies", given, "several frequencies in Hz", f'"{given}, 24 Hz" or "12:30:1Hz"')
+    return [FREQUENCY.read(f, "frequencies") for f in given]
+
+
 def parse_frequencies(text: str) -> list[float]:
     """Read "12:30:1Hz" (first:last:step, both ends included), or "12, 14.5, 20 Hz", into Hz.
 
@@ -239,7 +268,7 @@ def parse_frequencies(text: str) -> list[float]:
     unit = pieces[-1].lstrip("0123456789.eE+- ")
     try:
         # A piece without a unit takes that of the last.
-        numbers = [FREQUENCY.read(p if p[-1:].isalpha() else f"{p} {unit}", "frequency") for p in pieces]
+        numbers = [FREQUENCY.read(p if p[-1:].isalpha() else f"{p} {unit}".strip(), "frequency") for p in pieces]
     except InputError:
         numbers = []
     if separator == "," and numbers:

@@ -69,7 +69,8 @@ def quantity_of(model: type[Model], name: str) -> Quantity | None:
 def _unknown_field(model: type[Model], name: str) -> InputError:
     known = list(model.model_fields)
     close = difflib.get_close_matches(name, known, n=1)
-    return InputError(name, "nothing known by that name", f"one of {', '.join(known)}", close[0] if close else known[0])
+    hint = close[0] if close else "leaving it out"
+    return InputError(name, "nothing known by that name", f"one of {', '.join(known)}", hint)
 
 
 def _example(model: type[Model], name: str) -> str:
@@ -87,6 +88,8 @@ def _input_error(model: type[Model], detail: ErrorDetails) -> InputError:
     if isinstance(inner, InputError):
         return InputError(".".join(filter(None, [field, inner.field])), inner.got, inner.allowed, inner.hint)
     kind, got = detail["type"], detail.get("input")
+    if isinstance(got, Model):
+        got = f"a {type(got).__name__}"
     if kind == "extra_forbidden":
         return _unknown_field(model, field)
     if kind == "missing" and len(path) == 1:

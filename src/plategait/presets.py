@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import difflib
 import math
+import os
 from dataclasses import dataclass
+from pathlib import Path
 
 from plategait.contact import Contact, Friction
 from plategait.errors import InputError
 from plategait.motion import PlateMotion
 from plategait.outline import Disk
-from plategait.scenario import Scenario
+from plategait.scenario import Scenario, read_scenario
 from plategait.sheet import Sheet
 
 NOMINAL_NATURAL_FREQUENCY = 10 * math.pi
@@ -208,5 +211,29 @@ def preset(name: str) -> Preset:
         When there is none of that name.
     """
     if not isinstance(name, str) or name not in _MAKERS:
-        raise InputError("preset", name, f"one of {', '.join(PRESETS)}", "cheese")
+        raise InputError("preset", name, f"one of {', '.join(PRESETS)}", _nearest(name))
     return _MAKERS[name]()
+
+
+def as_scenario(given: Scenario | Preset | Path | str, field: str = "scenario") -> Scenario:
+    """Scenario that is meant: itself, that of a preset or of a preset's name, or what a TOML file holds.
+
+    Raises
+    ------
+    InputError
+        For anything else, under the name `field`; or when the file is not as it must be.
+    """
+    if isinstance(given, Scenario):
+        return given
+    if isinstance(given, Preset):
+        return given.scenario
+    if isinstance(given, str) and given in _MAKERS:
+        return preset(given).scenario
+    if isinstance(given, Path) or (isinstance(given, str) and (Path(given).suffix or os.path.isfile(given))):
+        return read_scenario(given, field)
+    raise InputError(field, given, f"a TOML file or one of {', '.join(PRESETS)}", _nearest(given))
+
+
+def _nearest(name: object) -> str:
+    """Preset that may be meant."""
+    return next(iter(difflib.get_close_matches(str(name).lower(), PRESETS, 1)), "cheese")

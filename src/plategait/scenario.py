@@ -120,8 +120,8 @@ class Scenario(Model):
         return self._usual_step if self.time_step is None else self.time_step
 
 
-def read_scenario(path: Path | str) -> Scenario:
-    """Read a scenario from a TOML file.
+def read_scenario(path: Path | str, field: str = "scenario") -> Scenario:
+    """Read a scenario from a TOML file, which errors call `field`.
 
     Raises
     ------
@@ -129,7 +129,7 @@ def read_scenario(path: Path | str) -> Scenario:
         When the file cannot be read, is no TOML, or a field is not as it must be.
     """
     hint = "plategait scenario --print cheese > cheese.toml"
-    data, _ = read_toml(path, "scenario", "a scenario file or a preset's name", hint)
+    data, _ = read_toml(path, field, "a scenario file or a preset's name", hint)
     return Scenario(**_resolve_files(data, Path(path).parent))
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, Unpack
 
 import numpy as np
 
@@ -16,13 +18,17 @@ from plategait.ensemble import Ensemble, mean_of_unfailed
 from plategait.errors import InputError
 from plategait.observables import Failure
 from plategait.observation import Observation, ensemble_of, observe
+from plategait.presets import PRESETS, Preset, as_scenario
 from plategait.scenario import Scenario
+from plategait.units import Quantity
 
 if TYPE_CHECKING:
     import xarray
 
 Engine = Literal["cpu", "cpu64"]
 ENGINES: tuple[Engine, ...] = ("cpu", "cpu64")
+
+_INTERVAL = Quantity("s", "s", "0.002 s", at_least=0)
 
 # Spread of the starts of an ensemble: a tenth of a millimetre and a degree are what a hand cannot place better.
 START_SPREAD = 1e-4
@@ -32,6 +38,33 @@ MOST_THREADS = 1000
 
 # Time between the shapes that films and files are made of, s: a fifth of a fast plate's quarter period.
 FILM_INTERVAL = 2e-3
+
+
+class RunOptions(TypedDict, total=False):
+    """How scenarios are run: the options of `simulate_all`, which says what they are."""
+
+    repeats: int
+    seed: int
+    engine: Engine
+    snapshot_interval: float | str
+    threads: int | None
+    progress: Callable[[float], object] | None
+
+
+def check_options(options: Mapping[str, object]) -> None:
+    """Refuse a name that is none of `RunOptions`.
+
+    Raises
+    ------
+    InputError
+        With the nearest that is, or how a scenario's number is changed.
+    """
+    known = list(RunOptions.__annotations__)
+    for name in options:
+        if name not in known:
+            close = difflib.get_close_matches(name, known, 1)
+            hint = close[0] if close else 'scenario.replace(**{"motion.frequency": "24 Hz"}) for what belongs to it'
+            raise InputError(name, "nothing known by that name", f"one of {', '.join(known)}", hint)
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,34 +231,32 @@ def starts(repeats: int, seed: int) -> list[tuple[float, float, float]]:
     return [(0.0, 0.0, 0.0), *(tuple(map(float, row)) for row in spread[1:])]  # type: ignore[list-item]
 
 
-def simulate(scenario: Scenario, *, repeats: int = 1, seed: int = 0, **options: Any) -> Simulation:
+def simulate(scenario: Scenario | Preset | Path | str, **options: Unpack[RunOptions]) -> Simulation:
     """Run one scenario, once or as an ensemble of slightly different starts.
 
     Parameters
     ----------
-    scenario : Scenario
-    repeats : int
-        Runs; the first starts where the scenario says, the others within a tenth of a millimetre and a degree of it.
-    seed : int
-        Of the starts.
+    scenario : Scenario, or what tells one
+        A preset or its name, or a TOML file.
     **options
         See `simulate_all`.
 
     Raises
     ------
     InputError
-        For options out of range.
+        For no scenario, an unknown option, or one out of range.
     """
-    return simulate_all([scenario], repeats=repeats, seed=seed, **options)[0]
+    check_options(options)
+    return simulate_all([scenario], **options)[0]
 
 
 def simulate_all(
-    scenarios: Sequence[Scenario],
+    scenarios: Sequence[Scenario | Preset | Path | str],
     *,
     repeats: int = 1,
     seed: int = 0,
     engine: Engine = "cpu",
-    snapshot_interval: float = 0.0,
+    snapshot_interval: float | str = 0.0,
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> list[Simulation]:
@@ -233,13 +264,15 @@ def simulate_all(
 
     Parameters
     ----------
-    scenarios : sequence of Scenario
+    scenarios : sequence of Scenario, or of what tells one
         May differ in everything.
-    repeats, seed : int
-        See `simulate`.
+    repeats : int
+        Runs; the first starts where the scenario says, the others within a tenth of a millimetre and a degree of it.
+    seed : int
+        Of the starts.
     engine : {"cpu", "cpu64"}
         The native core in single or double precision.
-    snapshot_interval : float
+    snapshot_interval : float or str
         Time between recorded shapes, s; 0 records none.
     threads : int, optional
         Cores to use; all by default.
@@ -262,20 +295,28 @@ def simulate_all(
     for name, number, least, most in whole:
         if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or not least <= number <= most:
             raise InputError(name, number, f"a whole number from {least} to {most}", str(max(least, 4)))
-    if not 0 <= snapshot_interval < math.inf:
-        raise InputError("snapshot_interval", snapshot_interval, "a time in s, at least 0", "0.002")
-    if not scenarios:
-        raise InputError("scenarios", "nothing", "at least one scenario", 'preset("cheese").scenario')
+    interval = _INTERVAL.read(snapshot_interval, "snapshot_interval")
+    chosen = _scenarios(scenarios)
     offsets = starts(repeats, seed)
-    runs = [Run(scenario, offset, snapshot_interval) for scenario in scenarios for offset in offsets]
+    runs = [Run(scenario, offset, interval) for scenario in chosen for offset in offsets]
     begun = time.perf_counter()
     recordings = cpu.run(runs, "float64" if engine == "cpu64" else "float32", threads=threads, progress=progress)
     wall = time.perf_counter() - begun
     total = sum(r.steps * r.dt for r in recordings)
     simulations = []
-    for i, scenario in enumerate(scenarios):
+    for i, scenario in enumerate(chosen):
         own = tuple(recordings[i * repeats : (i + 1) * repeats])
         share = sum(r.steps * r.dt for r in own) / total if total else 0.0
         observations = tuple(observe(scenario, r) for r in own)
         simulations.append(Simulation(scenario, own, observations, engine, seed, wall * share))
     return simulations
+
+
+def _scenarios(given: Sequence[Scenario | Preset | Path | str]) -> list[Scenario]:
+    """Scenarios of a list of what tells them."""
+    if isinstance(given, (str, Path, Scenario, Preset)) or not hasattr(given, "__iter__"):
+        raise InputError("scenarios", "nothing like a list", "a list of scenarios", f'["{PRESETS[0]}"]')
+    chosen = [as_scenario(each, "scenarios") for each in given]
+    if not chosen:
+        raise InputError("scenarios", "nothing", "at least one scenario", 'preset("cheese").scenario')
+    return chosen

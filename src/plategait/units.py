@@ -38,6 +38,9 @@ _COMMON: dict[str, tuple[float, str]] = {
     "N*m*s/rad": (1.0, "N*m*s/rad"), "N*mm/(deg/s)": (1e-3 / _DEG, "N*m*s/rad"),
     "N*mm*s/deg": (1e-3 / _DEG, "N*m*s/rad"),
 }  # fmt: skip
+# The same in small letters, for "24 hz" and "3 MM"; not where two units differ by nothing else (mHz, MHz).
+_SMALL = [unit.lower() for unit in _COMMON]
+_IN_ANY_CASE = {unit.lower(): unit for unit in _COMMON if _SMALL.count(unit.lower()) == 1}
 
 _NUMBER = re.compile(r"([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)\s*(.*)", re.IGNORECASE)
 # Names with whole powers, multiplied and divided: pint would take any expression, "12,5 mm" for 12 times 5 mm.
@@ -72,12 +75,17 @@ def _factor(unit: str, target: str) -> float:
         if si != target:
             raise ValueError(f"{unit} does not measure the same as {target}")
         return factor * turns
+    as_meant = _IN_ANY_CASE.get(text.lower(), text)
     if target in ("Hz", "rad/s"):  # to pint a turn, a radian and a plain 1 are the same dimension
+        if as_meant != text:
+            return _factor(as_meant, target) * turns
         raise ValueError(f"{unit} may count turns or radians")
     try:
         quantity = _registry().parse_expression(text) * 1.0
         return float(quantity.to(target.replace("^", "**")).magnitude)
     except Exception as error:  # pint raises a family of its own, and Python's for text that is no unit at all
+        if as_meant != text:
+            return _factor(as_meant, target)
         raise ValueError(f"{unit} is no unit of {target}") from error
 
 
@@ -137,7 +145,8 @@ class Quantity:
     @property
     def allowed(self) -> str:
         """Allowed range, as the end of "must be …"."""
-        kind = f"a number in {self.display} or another unit of {self.unit}" if self.unit else "a number"
+        kind = f"a number in {self.display}" if self.unit else "a number"
+        kind += f" or another unit of {self.unit}" if self.unit != self.display else ""
         bounds = [f"above {show(self.above, self.unit, self.display)}"] if self.above > -math.inf else []
         bounds += [f"at least {show(self.at_least, self.unit, self.display)}"] if self.at_least > -math.inf else []
         bounds += [f"at most {show(self.at_most, self.unit, self.display)}"] if self.at_most < math.inf else []
@@ -166,7 +175,18 @@ class Quantity:
             if smallest <= abs(number) <= _LARGEST:
                 return number
             allowed = " ".join(filter(None, [f"{allowed}, from {smallest:g} to {_LARGEST:g}", self.unit, "in size"]))
+        if math.isfinite(number) and self._means_usual_unit(value):
+            got, hint = f"{number:g} {self.unit}, as a bare number is SI", f'"{number:.10g} {self.display}"'
+            raise InputError(field, got, self.allowed, hint)
         raise InputError(field, got, allowed, f'"{self.example}"')
+
+    def _means_usual_unit(self, value: object) -> bool:
+        """Whether this is a bare number that is within the limits in the usual unit: the 3 of who means 3 deg."""
+        bare = _NUMBER.fullmatch(value.strip()) if isinstance(value, str) else None
+        if not self.unit or (bare and bare[2]):
+            return False
+        number = float(value) * _factor(self.display, self.unit)  # type: ignore[arg-type]
+        return self.unit != self.display and number > self.above and self.at_least <= number <= self.at_most
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic read the field through `read`."""
@@ -176,11 +196,13 @@ class Quantity:
         )
 
 
-Length = Annotated[float, Quantity("m", "mm", "10 mm", above=0)]
-Offset = Annotated[float, Quantity("m", "mm", "0 mm")]
+# A bare number is SI. Whoever types 40 for 40 mm, 3 for 3 deg or 13.6 for 13.6 g is told, because no sheet or plate is
+# as large or as heavy, and no plate tilts further or shakes wider.
+Length = Annotated[float, Quantity("m", "mm", "10 mm", above=0, at_most=10)]
+Offset = Annotated[float, Quantity("m", "mm", "0 mm", at_least=-10, at_most=10)]
 Depth = Annotated[float, Quantity("m", "mm", "0.1 mm", at_least=0)]
 Area = Annotated[float, Quantity("m^2", "mm^2", "100 mm^2", above=0)]
-Mass = Annotated[float, Quantity("kg", "g", "13.6 g", above=0)]
+Mass = Annotated[float, Quantity("kg", "g", "13.6 g", above=0, at_most=10)]
 Angle = Annotated[float, Quantity("rad", "deg", "12 deg")]
 Duration = Annotated[float, Quantity("s", "s", "4 s", above=0)]
 Delay = Annotated[float, Quantity("s", "s", "0.1 s", at_least=0)]
@@ -197,7 +219,6 @@ Ratio = Annotated[float, Quantity("", "", "1", above=0)]
 ANGULAR_FREQUENCY = Quantity("rad/s", "rad/s", "10 pi rad/s", above=0)
 ANGLE = Quantity("rad", "deg", "12 deg")
 STROKE = Quantity("m", "mm", "3 mm")
-# A bare number is SI. Whoever types 3 for 3 deg or 3 mm is told, because no plate tilts further or shakes wider.
 PLATE_ANGLE = Quantity("rad", "deg", "3 deg", at_least=-math.pi / 2, at_most=math.pi / 2)
 PLATE_STROKE = Quantity("m", "mm", "3 mm", at_least=-1.0, at_most=1.0)
 FREQUENCY = Quantity("Hz", "Hz", "24 Hz", above=0)

@@ -34,7 +34,7 @@ def test_the_full_circle(tmp_path):
 
     with ThreadPoolExecutor(2) as pool:
         list(pool.map(shoot, FREQUENCIES))
-    plategait("track", "clips", "--curve", "curve.csv", cwd=tmp_path, check=0)
+    plategait("track-folder", "clips", "--out", "curve.csv", cwd=tmp_path, check=0)
     assert json.loads(plategait("fit", "curve.csv", "--json", cwd=tmp_path).stdout)
     done = plategait(
         "estimate", "curve.csv", "--beta", f"{BETA}", "--json", "--out", "object.toml", cwd=tmp_path, check=0
@@ -51,9 +51,8 @@ def test_a_strip_from_film_to_joint(tmp_path):
     from plategait.vision.film_cantilever import film_cantilever
 
     film_cantilever(K_B, C_B, tmp_path / "strip.mp4")
-    plategait(
-        "track", "strip.mp4", "--cantilever", "--link-length", "10 mm", "--out", "strip.csv", cwd=tmp_path, check=0
-    )
+    done = plategait("track-strip", "strip.mp4", "--link-length", "10 mm", "--out", "strip.csv", cwd=tmp_path, check=0)
+    assert "a pixel is" in done.stdout
     found = json.loads(plategait("identify", "bending", "strip.csv", "--json", cwd=tmp_path, check=0).stdout)
     # Films of this size and quality gave k_b within 1.2 % over several seeds; Table 4.1 has 2.72e-3 N mm/deg.
     assert found["bending_stiffness_n_mm_per_deg"]["value"] == pytest.approx(2.72e-3, rel=0.03)
@@ -69,12 +68,12 @@ def test_what_is_no_film_is_one_line(tmp_path, name, content):
     assert not (tmp_path / "pose.csv").exists()
 
 
-def test_a_folder_needs_clips_and_a_curve(tmp_path):
+def test_a_folder_needs_clips_and_its_own_command(tmp_path):
     (tmp_path / "clips").mkdir()
-    assert "--curve" in plategait("track", "clips", cwd=tmp_path, check=2).stderr
-    assert "clip" in plategait("track", "clips", "--curve", "c.csv", cwd=tmp_path, check=2).stderr
+    assert "track-folder clips" in plategait("track", "clips", cwd=tmp_path, check=2).stderr
+    assert "clip" in plategait("track-folder", "clips", "--out", "c.csv", cwd=tmp_path, check=2).stderr
     (tmp_path / "clips" / "20Hz_21Hz.mp4").write_bytes(b"x")
-    assert "20 and 21" in plategait("track", "clips", "--curve", "c.csv", cwd=tmp_path, check=2).stderr
+    assert "20 and 21" in plategait("track-folder", "clips", "--out", "c.csv", cwd=tmp_path, check=2).stderr
 
 
 def test_the_target_prints(tmp_path):

@@ -55,7 +55,7 @@ def test_the_reference_disk_has_its_rows():
         assert (turned == squares).all()
 
 
-@pytest.mark.parametrize("scale", [1e-3, 0.1, 1.05, 3.7, 1e3])
+@pytest.mark.parametrize("scale", [1e-3, 0.1, 1.05, 3.7, 1e2])
 def test_only_the_ratio_of_size_and_pitch_matters(scale):
     assert rows_of(occupied_squares(Disk(radius=0.04 * scale), 0.01 * scale)) == DISK_ROWS
 

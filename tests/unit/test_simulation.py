@@ -229,7 +229,7 @@ STATUSES = {
     "still plate": SHORT.replace(**{"motion.angle": 0, "motion.stroke": 0}),
     "slips at once": SHORT.replace(slip_limit=1e-6),
     "off the plate": SHORT.replace(plate=Plate(length=0.01, width=0.01), start={"x": 0.02}),
-    "starts far away": SHORT.replace(start={"x": 1e3, "y": -1e3}),
+    "starts far away": SHORT.replace(start={"x": "10 m", "y": "-10 m"}),
     "thrown": SHORT.replace(**{"motion.angle": 1.5, "motion.frequency": 60}),
     "hammered": SHORT.replace(**{"motion.stroke": 1.0, "motion.frequency": 600}),
     "hard contact": SHORT.replace(**{"contact.stiffness": 1e30}),

@@ -15,7 +15,17 @@ from hypothesis import strategies as st
 
 from plategait import units
 from plategait.errors import InputError
-from plategait.units import ANGLE, ANGULAR_FREQUENCY, FREQUENCY, STROKE, Quantity, parse, show
+from plategait.units import (
+    ANGLE,
+    ANGULAR_FREQUENCY,
+    FREQUENCY,
+    PLATE_ANGLE,
+    PLATE_STROKE,
+    STROKE,
+    Quantity,
+    parse,
+    show,
+)
 
 BENDING = Quantity("N*m/rad", "N*mm/deg", "2.72e-3 N*mm/deg", at_least=0)
 LENGTH = get_args(units.Length)[1]
@@ -189,8 +199,47 @@ def test_turns_and_radians_are_not_mixed_up(quantity, text, right):
 
 def test_the_message_names_field_value_range_and_a_way_out():
     assert str(refused(LENGTH, -1)) == (
-        'the_field: got -1, must be a number in mm or another unit of m above 0 mm; try "10 mm"'
+        'the_field: got -1, must be a number in mm or another unit of m above 0 mm and at most 10000 mm; try "10 mm"'
     )
     limited = Quantity("m", "mm", "3 mm", at_least=1e-3, at_most=5e-3)
     assert "at least 1 mm and at most 5 mm" in str(refused(limited, "6 mm"))
     assert limited.read("5 mm", "f") == limited.at_most
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [("24 hz", "Hz", 24.0), ("24 HZ", "Hz", 24.0), ("2 khz", "Hz", 2000.0), ("3 MM", "m", 0.003),
+     ("180 Deg", "rad", math.pi), ("5 hz", "rad/s", 10 * math.pi), ("10 pi RAD/S", "rad/s", 10 * math.pi),
+     ("2.72 n*MM/deg", "N*m/rad", 2.72e-3 * 180 / math.pi)],
+)  # fmt: skip
+def test_a_unit_may_be_of_another_case_where_that_says_which(text, unit, value):
+    assert parse(text, unit) == pytest.approx(value, rel=1e-12)
+
+
+@pytest.mark.parametrize(("text", "unit", "value"), [("1 Mm", "m", 1e6), ("1 Mg", "kg", 1e3), ("1 mHz", "Hz", 1e-3)])
+def test_a_prefix_is_what_its_case_says(text, unit, value):
+    assert parse(text, unit) == pytest.approx(value, rel=1e-12)
+
+
+@pytest.mark.parametrize(("text", "unit"), [("24 mhz", "Hz"), ("24 MM", "Hz"), ("3 HZ", "m"), ("3 MM", "")])
+def test_a_case_that_does_not_say_which_unit_is_refused(text, unit):
+    with pytest.raises(ValueError, match=r"unit|measure|turns"):
+        parse(text, unit)
+
+
+@pytest.mark.parametrize(
+    ("quantity", "typed", "read", "meant"),
+    [(PLATE_ANGLE, "3", "3 rad", "3 deg"), (PLATE_ANGLE, -12, "-12 rad", "-12 deg"), (PLATE_STROKE, "3", "3 m", "3 mm"),
+     (LENGTH, 40.0, "40 m", "40 mm"), (LENGTH, "4e1", "40 m", "40 mm"), (LENGTH, np.float32(40), "40 m", "40 mm")],
+)  # fmt: skip
+def test_a_bare_number_too_large_is_told_how_it_was_read(quantity, typed, read, meant):
+    error = refused(quantity, typed)
+    assert str(error.got).startswith(f"{read}, ")
+    assert error.hint == f'"{meant}"'
+
+
+@pytest.mark.parametrize("typed", ["300 deg", 1e6, "inf", math.nan, True])
+def test_what_no_unit_would_mend_is_only_refused(typed):
+    error = refused(PLATE_ANGLE, typed)
+    assert "bare" not in str(error)
+    assert error.hint == '"3 deg"'

@@ -13,7 +13,7 @@ from pydantic import Field, model_validator
 from plategait.campaign.parameters import Parameter, Value, apply, find_parameter
 from plategait.errors import InputError
 from plategait.model import Model
-from plategait.presets import PRESETS, preset
+from plategait.presets import PRESETS, as_scenario
 from plategait.scenario import Scenario, read_scenario, read_toml, write_scenario
 from plategait.units import ANGULAR_FREQUENCY, Duration
 
@@ -157,17 +157,13 @@ def read_sweep(path: Path | str) -> Sweep:
 
 
 def _scenario(given: Any) -> Scenario:
-    """Scenario of a preset's name, a file, a table, or itself."""
-    if isinstance(given, Scenario):
-        return given
+    """Scenario of a table, or whatever else tells one."""
     if isinstance(given, Mapping):
         try:
             return Scenario(**given)
         except InputError as error:
             raise InputError(f"scenario.{error.field}", error.got, error.allowed, error.hint) from None
-    if isinstance(given, str) and not Path(given).suffix:
-        return preset(given).scenario
-    return read_scenario(given)
+    return as_scenario(given)
 
 
 def _flat(table: Any, field: str) -> dict[str, Any]:

@@ -14,15 +14,19 @@ import typer
 from typer.exceptions import TyperException
 
 from plategait.cli import options, report
+from plategait.cli.command import Command, refuse, usage_line
 from plategait.cli.estimate import estimate
 from plategait.cli.identify import identify
 from plategait.cli.shoot import shoot
 from plategait.cli.sweep import plot_store, sweep
+from plategait.cli.target import target
 from plategait.cli.thesis import thesis
-from plategait.cli.track import target, track
+from plategait.cli.track import track
+from plategait.cli.track_folder import track_folder
+from plategait.cli.track_strip import track_strip
 from plategait.errors import InputError
 from plategait.output import PICTURES, check_outputs
-from plategait.presets import PRESETS, preset
+from plategait.presets import PRESETS, as_scenario, preset
 from plategait.scenario import write_scenario
 from plategait.units import FREQUENCY
 
@@ -34,7 +38,7 @@ if TYPE_CHECKING:
 INTERRUPTED = 130
 
 app = typer.Typer(
-    add_completion=False, pretty_exceptions_enable=False,
+    add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]},
     help="Simulates a thin soft object on a vibrating plate: how it slides, walks, runs and spins.",
 )  # fmt: skip
 
@@ -52,8 +56,9 @@ def root(
         print(context.get_help())
 
 
-@app.command()
+@app.command(cls=Command)
 def simulate(
+    context: typer.Context,
     scenario: options.ScenarioName = "cheese",
     sheet: options.Sheet = None,
     natural_frequency: options.NaturalFrequency = None,
@@ -90,8 +95,10 @@ def simulate(
         (film, (".mp4",), "--film"),
         (filmstrip, (".png",), "--filmstrip"),
     )
-    if draws and not measured:
-        raise InputError("--draws", draws, "left out where --with gives nothing to draw from", "--with bending.toml")
+    if not measured:
+        refuse(context, ["draws"], "where --with gives nothing to draw from", "--with bending.toml")
+    if not draws:
+        options.refuse_idle_seed(context, repeats)
     build = partial(
         options.build, scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke,
         mu_s=mu_s, mu_k=mu_k, friction_law=friction_law, duration=duration, dt=dt, measured=measured,
@@ -111,8 +118,9 @@ def simulate(
     raise typer.Exit(0 if result.sound else 1)
 
 
-@app.command()
+@app.command(cls=Command)
 def curve(
+    context: typer.Context,
     scenario: options.ScenarioName = "cheese",
     sheet: options.Sheet = None,
     natural_frequency: options.NaturalFrequency = None,
@@ -138,6 +146,7 @@ def curve(
     from plategait.curve import parse_frequencies, spin_curve, write_curve
 
     check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
+    options.refuse_idle_seed(context, repeats)
     chosen = options.build(
         scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
         friction_law=friction_law, duration=duration, dt=dt, measured=measured,
@@ -153,7 +162,7 @@ def curve(
     raise typer.Exit(0 if result.fit else 1)
 
 
-@app.command()
+@app.command(cls=Command)
 def fit(
     curve_file: Annotated[Path, typer.Argument(metavar="CURVE.csv", help="Columns frequency_hz, spin_rate_deg_s, …")],
     plot: options.Plot = None,
@@ -172,7 +181,7 @@ def fit(
     raise typer.Exit(0 if result.fit else 1)
 
 
-@app.command()
+@app.command(cls=Command)
 def modes(
     scenario: options.ScenarioName = "cheese",
     sheet: options.Sheet = None,
@@ -200,18 +209,20 @@ def modes(
 _MODE_KEYS = {"omega": "omega_rad_s", "frequency": "frequency_hz", "damping_ratio": "damping_ratio", "name": "name"}
 
 
-@app.command(name="scenario")
+@app.command(name="scenario", cls=Command)
 def scenario_command(
+    context: typer.Context,
     name: Annotated[str | None, typer.Argument(metavar="[FILE]", help="A scenario file to check.")] = None,
     shown: Annotated[str | None, typer.Option("--print", help="Print this preset as a commented TOML file.")] = None,
     as_json: options.Json = False,
 ) -> None:
     """List the presets, print one as a commented TOML file, or check a scenario file."""
     if shown is not None:
+        refuse(context, ["name", "as_json"], "with --print", f"plategait scenario --print {shown}")
         found = preset(shown)
         print(f"# {found.summary}\n\n" + write_scenario(found.scenario, found.notes), end="")
     elif name is not None:
-        checked = options.load(name)
+        checked = as_scenario(name)
         facts = {
             "scenario": checked.name,
             "nodes": checked.sheet.lattice.n_nodes,
@@ -233,17 +244,21 @@ def scenario_command(
             print(f"{each:18}{preset(each).summary}")
 
 
-app.command()(estimate)
+app.command(cls=Command)(estimate)
 app.add_typer(identify, name="identify")
-app.command()(track)
-app.command()(target)
-app.command()(shoot)
-app.command()(sweep)
-app.command(name="plot")(plot_store)
-app.command()(thesis)
+app.command(cls=Command)(track)
+app.command(cls=Command)(track_folder)
+app.command(cls=Command)(track_strip)
+app.command(cls=Command)(target)
+app.command(cls=Command)(shoot)
+app.command(cls=Command)(sweep)
+app.command(name="plot", cls=Command)(plot_store)
+app.command(cls=Command)(thesis)
 
 
-def _drawn(build: Callable[..., Scenario], draws: int, seed: int, engine: str) -> dict[str, float | int | None]:
+def _drawn(
+    build: Callable[..., Scenario], draws: int, seed: int, engine: options.Engine
+) -> dict[str, float | int | None]:
     """Spin rates of draws of what was measured: median and 95 % interval, deg/s, and how many failed."""
     import numpy as np
 
@@ -252,7 +267,7 @@ def _drawn(build: Callable[..., Scenario], draws: int, seed: int, engine: str) -
     generator = np.random.default_rng(seed)
     scenarios = [build(generator=generator) for _ in range(draws)]
     with report.progress_bar("drawing") as progress:
-        runs = simulation.simulate_all(scenarios, seed=seed, engine=engine, progress=progress)  # type: ignore[arg-type]
+        runs = simulation.simulate_all(scenarios, seed=seed, engine=engine, progress=progress)
     failed = sum(r.failed for r in runs)
     rates = np.degrees([r.spin_rate for r in runs if math.isfinite(r.spin_rate)])
     low, middle, high = np.quantile(rates, [0.025, 0.5, 0.975]).tolist() if len(rates) else (None, None, None)
@@ -290,16 +305,24 @@ def main() -> None:
     """Run the command line; whatever is wrong is one line on standard error."""
     try:
         # Not standalone, or typer would box its usage errors. An exit status is returned then, 130 for an interrupt.
-        status = app(standalone_mode=False)
+        status = app(standalone_mode=False, prog_name="plategait")
         sys.stdout.flush()
         if status == INTERRUPTED:
             raise KeyboardInterrupt
     except InputError as error:
         status, message = 2, str(error)
     except TyperException as error:
-        status, message = 2, f"{error.format_message().rstrip('.')}; try plategait --help"
+        status, message = 2, usage_line(error)
     except KeyboardInterrupt:
         status, message = INTERRUPTED, "interrupted, nothing written"
+    except MemoryError:
+        status, message = 2, "this needs more memory than there is; try a shorter, coarser or smaller one"
+    except RecursionError:
+        status, message = 2, "a file holds lists or tables nested too deep; try a flat one"
+    except ValueError as error:
+        if "integer string conversion" not in str(error):
+            raise
+        status, message = 2, "a number has more digits than can be read; try one of a few digits"
     except OSError as error:
         status, message = 2, f"{error.strerror or error}; try another place with room to write"
         # What could not be printed is not printed again at exit.

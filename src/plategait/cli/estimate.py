@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+import numpy as np
 import typer
 
 from plategait.cli import options, report
+from plategait.cli.command import refuse, take_only
 from plategait.errors import InputError
 from plategait.outline import Disk
 from plategait.output import PICTURES, check_outputs
@@ -21,13 +23,17 @@ if TYPE_CHECKING:
     from plategait.estimate.result import Estimate
     from plategait.motion import PlateMotion
 
-_MASS = Quantity("kg", "g", "13.6 g", above=0)
-_LENGTH = Quantity("m", "mm", "40 mm", above=0)
+Method = Literal["posterior", "linear", "quadratic"]
+Coefficients = Literal["published", "refitted"]
+
+_MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
+_LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
 _TIME = Quantity("s", "s", "2 s", above=0)
 _SHARE = Quantity("", "", "0.05", above=0)
 
 
 def estimate(
+    context: typer.Context,
     curve_files: Annotated[
         list[Path],
         typer.Argument(metavar="CURVE.csv...", help="Columns frequency_hz, spin_rate_deg_s, …; one or more."),
@@ -42,10 +48,13 @@ def estimate(
     stroke: options.Stroke = None,
     mass: Annotated[str | None, typer.Option("--mass", help='Mass of the object: "13.6 g".')] = None,
     radius: Annotated[str | None, typer.Option("--radius", help='Radius of a disk: "40 mm".')] = None,
-    method: Annotated[str, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")] = "posterior",
+    method: Annotated[
+        Method, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")
+    ] = "posterior",
     coefficients: Annotated[
-        str, typer.Option("--coefficients", help="Of the linear method: published, or refitted to our simulations.")
-    ] = "published",
+        Coefficients | None,
+        typer.Option("--coefficients", help="Of linear: published, or refitted to our simulations as quadratic's are."),
+    ] = None,
     beta: Annotated[str | None, typer.Option("--beta", help="Kinetic over static friction, where it is known.")] = None,
     free: Annotated[
         list[str] | None,
@@ -58,7 +67,7 @@ def estimate(
     slip_limit: Annotated[
         str, typer.Option("--slip-limit", help="Slip at which the object counts as run off.")
     ] = "20 mm",
-    confidence: Annotated[float, typer.Option("--confidence", help="Of the intervals.")] = 0.9,
+    confidence: Annotated[str, typer.Option("--confidence", help="Of the intervals: 0.9 or 90%.")] = "90%",
     plan: Annotated[bool, typer.Option("--next", help="Say also what to measure next.")] = False,
     candidate: Annotated[
         list[str] | None,
@@ -80,22 +89,52 @@ def estimate(
     from plategait.estimate.result import measured_as
 
     check_outputs((out, (".toml",), "--out"), (plot, PICTURES, "--plot"))
+    _refuse_idle(context, method)
     base = _object(options.build(scenario, stroke=stroke, measured=measured), mass, radius)
-    base = measured_as(base, duration=_TIME.read(duration, "--duration"),
-                       slip_limit=_LENGTH.read(slip_limit, "--slip-limit"))  # fmt: skip
     curves = [read_curve(path) for path in curve_files]
+    _refuse_told(context, curves)
     motions = _motions(base, angle or [], len(curves))
     if method != "posterior":
         return _linear(curves, base.replace(motion=motions[0]), method, coefficients, out, as_json)
+    base = measured_as(base, duration=_TIME.read(duration, "--duration"),
+                       slip_limit=_LENGTH.read(slip_limit, "--slip-limit"))  # fmt: skip
     _posterior(
         curves, base, motions, out, plot, as_json, seed=seed,
         given={
-            "noise": _share(noise), "friction_ratio": None if beta is None else _SHARE.read(beta, "--beta"),
-            "free": tuple(free or ()), "confidence": confidence,
+            "noise": None if noise is None else _share(noise, "--noise"),
+            "friction_ratio": None if beta is None else _SHARE.read(beta, "--beta"),
+            "free": tuple(free or ()), "confidence": _share(confidence, "--confidence"),
         },
         asked=_wanted(want_frequency, want_angle) if plan or want_frequency or want_angle else None,
         angles=[PLATE_ANGLE.read(c, "--candidate-angle") for c in candidate or []],
     )  # fmt: skip
+
+
+def _refuse_idle(context: typer.Context, method: str) -> None:
+    """Refuse options that the method has no use for."""
+    given = context.params
+    if method == "posterior":
+        refuse(context, ["coefficients"], "with --method posterior", "--method linear")
+        if not (given["plan"] or given["want_frequency"] or given["want_angle"]):
+            refuse(context, ["candidate"], "without --next", "--next")
+        return
+    if not given["out"]:
+        # Only the stiffness that is written is that of an object of a certain mass.
+        refuse(context, ["measured", "mass"], f"with --method {method} and no --out", "--out object.toml")
+    used = (
+        "curve_files", "scenario", "measured", "mass", "angle", "stroke", "radius", "method", "coefficients", "out",
+        "as_json",
+    )  # fmt: skip
+    take_only(context, used, f"with --method {method}", "--method posterior")
+
+
+def _refuse_told(context: typer.Context, curves: list[Curve]) -> None:
+    """Refuse what the curves tell themselves, point by point."""
+    if all(c.angle_deg is not None and np.isfinite(c.angle_deg).all() for c in curves):
+        refuse(context, ["angle"], "with curves that have a column angle_deg", "the file without that column")
+    rated = [np.isfinite(c.spin_rate_deg_s) for c in curves]
+    if all((c.spin_rate_sd_deg_s[r] > 0).all() for c, r in zip(curves, rated, strict=True)):
+        refuse(context, ["noise"], "with curves that have a column spin_rate_sd_deg_s", "the file without that column")
 
 
 def _object(base: Scenario, mass: str | None, radius: str | None) -> Scenario:
@@ -124,13 +163,11 @@ def _motions(base: Scenario, angles: list[str], count: int) -> list[PlateMotion]
     return [base.motion.replace(angle=a) for a in read]
 
 
-def _share(text: str | None) -> float | None:
-    """Noise as a number, or in percent."""
-    if text is None:
-        return None
+def _share(text: str, option: str) -> float:
+    """A share as a number, or in percent."""
     if text.strip().endswith("%"):
-        return _SHARE.read(text.strip()[:-1].strip(), "--noise") / 100
-    return _SHARE.read(text, "--noise")
+        return _SHARE.read(text.strip()[:-1].strip(), option) / 100
+    return _SHARE.read(text, option)
 
 
 def _wanted(frequency: str | None, angle: str | None) -> dict[str, float]:
@@ -143,7 +180,12 @@ def _wanted(frequency: str | None, angle: str | None) -> dict[str, float]:
 
 
 def _linear(
-    curves: list[Curve], base: Scenario, method: str, coefficients: str, out: Path | None, as_json: bool
+    curves: list[Curve],
+    base: Scenario,
+    method: Literal["linear", "quadratic"],
+    coefficients: Coefficients | None,
+    out: Path | None,
+    as_json: bool,
 ) -> None:
     """The source's method on one curve."""
     from plategait.curve import fit_curve
@@ -152,11 +194,12 @@ def _linear(
 
     if len(curves) != 1:
         raise InputError("CURVE.csv", f"{len(curves)} curves", f"one curve for --method {method}", "--method posterior")
+    base = _told_by(curves[0], base, method)
     fit = fit_curve(curves[0])
     if fit.fit is None:
         raise InputError("CURVE.csv", f"a curve without a Lorentz fit ({fit.no_fit})",
                          f"one with a peak for --method {method}", "--method posterior")  # fmt: skip
-    found = estimate_linear(fit.fit, base, method=method, coefficients=coefficients)  # type: ignore[arg-type]
+    found = estimate_linear(fit.fit, base, method=method, coefficients=coefficients)
     if out and not found.refused:
         write_fragment(found.to_fragment(base), out)
     if as_json:
@@ -171,6 +214,15 @@ def _linear(
         rows = [[_WORDS[n], f"{v['median']:.2f} ± {v['sd']:.2f} {v['unit']}"] for n, v in numbers.items()]
         report.print_table(f"{found.method} method, {found.coefficients} coefficients", ["", "± one sd"], rows)
     raise typer.Exit(1 if found.refused else 0)
+
+
+def _told_by(curve: Curve, base: Scenario, method: str) -> Scenario:
+    """Scenario at the amplitude that the curve's own column tells."""
+    told = [] if curve.angle_deg is None else np.unique(curve.angle_deg[np.isfinite(curve.angle_deg)]).tolist()
+    if len(told) > 1:
+        raise InputError("CURVE.csv", f"points at {' and '.join(f'{a:g}' for a in told[:4])} deg",
+                         f"of one amplitude for --method {method}", "--method posterior")  # fmt: skip
+    return base.replace(**{"motion.angle": math.radians(told[0])}) if told else base
 
 
 def _posterior(

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from plategait.fragment import Fragment
 
-LENGTH = Quantity("m", "mm", "10 mm", above=0)
+LENGTH = Quantity("m", "mm", "10 mm", above=0, at_most=1)
 TIME = Quantity("s", "s", "0.05 s")
 
 Out = Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")]

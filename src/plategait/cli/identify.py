@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from plategait.cli import options
+from plategait.cli.command import Command
 from plategait.cli.identify_bending import bending
 from plategait.cli.identify_compression import compression
 from plategait.cli.identify_friction import friction
@@ -16,17 +17,17 @@ from plategait.errors import InputError
 from plategait.output import check_writable
 
 identify = typer.Typer(help="Read joint and friction parameters off bench recordings.")
-identify.command()(bending)
-identify.command()(compression)
-identify.command()(friction)
-identify.command(name="modes")(ring)
+identify.command(cls=Command)(bending)
+identify.command(cls=Command)(compression)
+identify.command(cls=Command)(friction)
+identify.command(name="modes", cls=Command)(ring)
 
 KINDS = ("bending", "compression", "friction", "modes")
 
 
-@identify.command()
+@identify.command(cls=Command)
 def example(
-    kind: Annotated[str, typer.Argument(help=f"One of {', '.join(KINDS)}.")],
+    kind: Annotated[str, typer.Argument(metavar="KIND", help=f"One of {', '.join(KINDS)}.")],
     out: Annotated[Path, typer.Argument(metavar="FILE.csv", help="Where to write it.")],
     seed: options.Seed = 0,
 ) -> None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from plategait.cli import identified, options, report
+from plategait.cli.command import refuse
 from plategait.identify.likelihood import known
 from plategait.identify.shown import words
 from plategait.units import Quantity
@@ -18,10 +19,11 @@ if TYPE_CHECKING:
 
     from plategait.identify.bending import BendingResult
 
-_MASS = Quantity("kg", "g", "0.285 g", above=0)
+_MASS = Quantity("kg", "g", "0.285 g", above=0, at_most=0.1)
 
 
 def bending(
+    context: typer.Context,
     recording: Annotated[
         Path,
         typer.Argument(metavar="CANTILEVER.csv", help="Columns time_s, phi1_deg, phi2_deg, or time_s, x0_mm to y2_mm."),
@@ -31,9 +33,11 @@ def bending(
     width: Annotated[
         str | None, typer.Option("--width", help="Of the strip. The length of a link if left out.")
     ] = None,
-    method: Annotated[str, typer.Option("--method", help="trajectory, or regression as in (3.5).")] = "trajectory",
+    method: Annotated[
+        Literal["trajectory", "regression"], typer.Option("--method", help="trajectory, or regression as in (3.5).")
+    ] = "trajectory",
     wall: Annotated[
-        str,
+        Literal["measured", "free", "joint"],
         typer.Option("--wall", help="Joint 1: measured (moves as recorded), free (fitted), joint (as joint 2)."),
     ] = "measured",
     centripetal: Annotated[
@@ -50,6 +54,8 @@ def bending(
 ) -> None:
     """Stiffness and damping of the bending joint from how a released strip sags."""
     identified.check_files(out, plot)
+    if method == "regression":
+        refuse(context, ["wall"], "with --method regression", "--method trajectory")
     from plategait.identify.bending import identify_bending
     from plategait.identify.markers import read_angles
     from plategait.identify.recording import Window
@@ -60,8 +66,8 @@ def bending(
         read_angles(recording, y_down=y_down),
         strip=strip,
         width=identified.LENGTH.read(width, "--width") if width is not None else None,
-        method=method,  # type: ignore[arg-type]
-        wall=wall,  # type: ignore[arg-type]
+        method=method,
+        wall=wall,
         centripetal=centripetal,
         window=Window(*identified.between(start, end)),
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -17,14 +17,16 @@ if TYPE_CHECKING:
 
     from plategait.identify.compression import CompressionResult
 
-_THICKNESS = Quantity("m", "mm", "2.5 mm", above=0)
+_THICKNESS = Quantity("m", "mm", "2.5 mm", above=0, at_most=1)
 
 
 def compression(
     recording: Annotated[Path, typer.Argument(metavar="PRESS.csv", help="Columns time_s, displacement_mm, force_N.")],
     thickness: Annotated[str, typer.Option("--thickness", help="d of the pressed link.")] = "2.5 mm",
     length: Annotated[str, typer.Option("--length", help="l, side of the pressed square.")] = "10 mm",
-    method: Annotated[str, typer.Option("--method", help="trajectory, or regression as in (3.8).")] = "trajectory",
+    method: Annotated[
+        Literal["trajectory", "regression"], typer.Option("--method", help="trajectory, or regression as in (3.8).")
+    ] = "trajectory",
     offset: Annotated[
         bool, typer.Option("--offset", help="Fit the force at displacement 0 as well: a preload, an unknown touch.")
     ] = False,
@@ -43,7 +45,7 @@ def compression(
         read_pressing(recording),
         thickness=_THICKNESS.read(thickness, "--thickness"),
         length=identified.LENGTH.read(length, "--length"),
-        method=method,  # type: ignore[arg-type]
+        method=method,
         offset=offset,
         window=Window(*identified.between(start, end)),
     )

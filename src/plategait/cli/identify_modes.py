@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from plategait.cli import identified, options, report
+from plategait.cli.command import refuse
 from plategait.identify.shown import words
+from plategait.presets import as_scenario
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
@@ -22,11 +24,13 @@ _AREA_MASS = Quantity("kg/m^2", "kg/m^2", "2.7 kg/m^2", above=0)
 
 
 def ring(
+    context: typer.Context,
     recording: Annotated[
         Path, typer.Argument(metavar="RING.csv", help="Columns time_s and one of deflection_mm, angle_deg, signal.")
     ],
     support: Annotated[
-        str, typer.Option("--support", help="free: the whole sheet, its dish mode. cantilever: a strip clamped level.")
+        Literal["free", "cantilever"],
+        typer.Option("--support", help="free: the whole sheet, its dish mode. cantilever: a strip clamped level."),
     ] = "free",
     sheet: Annotated[str, typer.Option("--sheet", help="Preset or scenario file whose sheet it is.")] = "cheese",
     length: Annotated[str | None, typer.Option("--length", help='Free length of the strip: "20 mm".')] = None,
@@ -45,13 +49,15 @@ def ring(
 ) -> None:
     """Bending stiffness and damping from how a sheet, or a strip of it, rings after it was let go."""
     identified.check_files(out, plot)
+    if support == "free":
+        refuse(context, ["length", "length_sd", "mass_per_area"], "with --support free", "--support cantilever")
     from plategait.identify.ring import identify_ring
     from plategait.identify.ring_recording import read_ring
 
     first, last = identified.between(start, end)
     result = identify_ring(
-        read_ring(recording), options.load(sheet, "--sheet").sheet,
-        support=support,  # type: ignore[arg-type]
+        read_ring(recording), as_scenario(sheet, "--sheet").sheet,
+        support=support,
         length=identified.LENGTH.read(length, "--length") if length is not None else None,
         length_sd=_LENGTH_SD.read(length_sd, "--length-sd"),
         mass_per_area=_AREA_MASS.read(mass_per_area, "--mass-per-area") if mass_per_area is not None else None,

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from plategait.errors import InputError
+from plategait import simulation
+from plategait.cli.command import refuse
 from plategait.fragment import overlay, read_fragment
-from plategait.presets import PRESETS, preset
-from plategait.scenario import Scenario, read_scenario
+from plategait.presets import PRESETS, as_scenario
+from plategait.scenario import Scenario
 from plategait.units import ANGULAR_FREQUENCY, PLATE_ANGLE, PLATE_STROKE, Quantity
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ Repeats = Annotated[
 ]
 Seed = Annotated[int, typer.Option("--seed", help="Of the different starts.")]
 Dt = Annotated[str | None, typer.Option("--dt", help='Time step: "1e-4 s". Chosen from the stiffness if left out.')]
-Engine = Annotated[str, typer.Option("--engine", help="cpu (single precision) or cpu64 (double).")]
+Engine = Annotated[simulation.Engine, typer.Option("--engine", help="cpu (single precision) or cpu64 (double).")]
 Plot = Annotated[Path | None, typer.Option("--plot", help="Write a plot: .png, .pdf or .svg.")]
 With = Annotated[
     list[Path] | None,
@@ -56,13 +57,10 @@ Draws = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
 
 
-def load(name: str, field: str = "scenario") -> Scenario:
-    """Scenario of a preset's name or a file."""
-    if name in PRESETS:
-        return preset(name).scenario
-    if not Path(name).suffix and not Path(name).exists():
-        raise InputError(field, name, f"a TOML file or one of {', '.join(PRESETS)}", "cheese")
-    return read_scenario(name)
+def refuse_idle_seed(context: typer.Context, repeats: int) -> None:
+    """Refuse a seed where the only run starts where the scenario says."""
+    if repeats == 1:
+        refuse(context, ["seed"], "where nothing is left to chance", "--repeats 4")
 
 
 def build(
@@ -85,10 +83,10 @@ def build(
 
     Measured parameters are laid under them, drawn from their uncertainty where a generator is given.
     """
-    scenario = overlay(load(name), [read_fragment(path) for path in measured or []], generator)
+    scenario = overlay(as_scenario(name), [read_fragment(path) for path in measured or []], generator)
     changes: dict[str, Any] = {}
     if sheet is not None:
-        changes["sheet"] = load(sheet, "--sheet").sheet
+        changes["sheet"] = as_scenario(sheet, "--sheet").sheet
     if natural_frequency is not None:
         omega = ANGULAR_FREQUENCY.read(natural_frequency, "--natural-frequency")
         changes["sheet"] = changes.get("sheet", scenario.sheet).with_natural_frequency(omega)

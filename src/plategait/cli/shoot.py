@@ -8,7 +8,8 @@ from typing import Annotated
 
 import typer
 
-from plategait.cli import options, report
+from plategait.cli import filmed, options, report
+from plategait.cli.command import refuse
 from plategait.errors import InputError
 from plategait.output import check_writable
 from plategait.units import FREQUENCY
@@ -19,6 +20,7 @@ SHAPES_PER_PERIOD = 24
 
 
 def shoot(
+    context: typer.Context,
     scenario: Annotated[str, typer.Argument(metavar="SCENARIO", help="A TOML file or a preset.")],
     out: Annotated[Path, typer.Argument(metavar="CLIP.mp4", help="Film to write; the truth goes to CLIP.truth.csv.")],
     frequency: Annotated[str | None, typer.Option("--frequency", help='Plate frequency: "24 Hz".')] = None,
@@ -34,7 +36,7 @@ def shoot(
     ] = 3.0,
     size: Annotated[str, typer.Option("--size", help="Of the picture, px.")] = "1280x720",
     elevation: Annotated[
-        float, typer.Option("--elevation", help="Of the camera above the plate, deg; 90 looks down.")
+        float, typer.Option("--elevation", help="Of the camera above the plate, deg, from 10 to 90; 90 looks down.")
     ] = 55.0,
     markers: Annotated[bool, typer.Option("--markers/--no-markers", help="Two markers on the object.")] = True,
     noise: Annotated[float, typer.Option("--noise", help="Of the sensor, grey levels.")] = 2.0,
@@ -50,9 +52,11 @@ def shoot(
     check_writable(out, SUFFIXES, "CLIP.mp4")
     if not 0.2 <= seconds <= 600:
         raise InputError("--seconds", seconds, "from 0.2 to 600", "3")
-    from plategait.cli.track import require_opencv
-
-    require_opencv()
+    if not 10 <= elevation <= 90:
+        raise InputError("--elevation", elevation, "from 10 to 90 deg", "55")
+    if not markers:
+        refuse(context, ["hidden"], "with --no-markers", "--markers")
+    filmed.require_opencv()
     from plategait.simulation import simulate
     from plategait.vision.look import Look
     from plategait.vision.synthetic import film, usual_camera

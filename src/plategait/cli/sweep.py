@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from plategait.cli import options, report
+from plategait.cli.command import refuse, take_only
 from plategait.output import PICTURES, check_writable
 
 if TYPE_CHECKING:
@@ -18,6 +19,7 @@ INTERRUPTED = 130
 
 
 def sweep(
+    context: typer.Context,
     plan: Annotated[Path, typer.Argument(metavar="SWEEP.toml", help="What to run; with --status also a store.")],
     store: Annotated[
         Path | None, typer.Option("--store", help="Where the results go: .zarr. Beside the plan if left out.")
@@ -29,9 +31,12 @@ def sweep(
     as_json: options.Json = False,
 ) -> None:
     """Run a campaign into a labelled store, or go on with one that was interrupted."""
-    path = store or plan.with_suffix(".zarr")
     if status:
-        return _status(path, as_json)
+        if store is not None:
+            refuse(context, ["store"], "with --status", f"plategait sweep {store} --status")
+        take_only(context, ["plan", "status", "as_json"], "with --status", f"plategait sweep {plan}")
+        return _status(plan.with_suffix(".zarr"), as_json)
+    path = store or plan.with_suffix(".zarr")
     from plategait.campaign.run import sweep as run
 
     try:

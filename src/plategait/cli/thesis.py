@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from plategait.cli import options, report
+from plategait.cli.command import refuse
 
 Names = Annotated[
     list[str] | None, typer.Argument(metavar="[NAME]…", help="Figures and tables: fig5.7 table5.9. All by default.")
@@ -16,6 +17,7 @@ Folder = Annotated[Path, typer.Option("--out", help="Folder for report.html, fig
 
 
 def thesis(
+    context: typer.Context,
     names: Names = None,
     out: Folder = Path("thesis"),
     seed: options.Seed = 0,
@@ -25,9 +27,12 @@ def thesis(
     """Regenerate the dissertation's simulated figures and tables, each beside its published value."""
     from plategait.thesis import reproduce
     from plategait.thesis.report import prepare_folder, write_report
-    from plategait.thesis.study import known_name
+    from plategait.thesis.study import known_name, simulates
 
     chosen = [known_name(name) for name in names or ()]
+    options.refuse_idle_seed(context, repeats)
+    if chosen and not simulates(chosen):
+        refuse(context, ["repeats", "seed"], f"for {' and '.join(chosen)}, made without a run", "fig4.7")
     prepare_folder(out)
     with report.progress_bar("simulating") as progress:
         study = reproduce(chosen or None, seed=seed, repeats=repeats, progress=progress)

@@ -15,6 +15,7 @@ import numpy as np
 from plategait.errors import InputError
 from plategait.fragment import Fragment, Measured
 from plategait.lorentz import LorentzFit
+from plategait.outline import Disk, Outline
 from plategait.scenario import Scenario
 from plategait.simulation import plain
 
@@ -119,7 +120,7 @@ def estimate_linear(
     scenario: Scenario,
     *,
     method: Method = "linear",
-    coefficients: Coefficients = "published",
+    coefficients: Coefficients | None = None,
 ) -> LinearEstimate:
     """Estimate ω_n and α from a Lorentz fit by (5.6) and (5.7).
 
@@ -131,8 +132,8 @@ def estimate_linear(
         Tells the plate's amplitudes and the object's size, which must be those of the calibration.
     method : {"linear", "quadratic"}
         "quadratic" as section 5.6.2 suggests; with refitted coefficients only.
-    coefficients : {"published", "refitted"}
-        Those of section 5.6.1, or of this package's own simulations.
+    coefficients : {"published", "refitted"}, optional
+        Those of section 5.6.1, or of this package's own simulations. By default published where there are any.
 
     Raises
     ------
@@ -141,10 +142,10 @@ def estimate_linear(
     """
     if method not in ("linear", "quadratic"):
         raise InputError("--method", method, "posterior, linear or quadratic", "posterior")
-    if coefficients not in ("published", "refitted"):
-        raise InputError("--coefficients", coefficients, "published or refitted", "refitted")
-    if method == "quadratic":
-        coefficients = "refitted"
+    known: tuple[Coefficients, ...] = ("published", "refitted") if method == "linear" else ("refitted",)
+    coefficients = coefficients or known[0]
+    if coefficients not in known:
+        raise InputError("--coefficients", coefficients, f"{' or '.join(known)} for --method {method}", "refitted")
     motion, outline = scenario.motion, scenario.sheet.outline
     angle = next((a for a in (3, 12) if abs(math.degrees(motion.angle) / a - 1) < SLACK), None)
     if angle is None:
@@ -154,7 +155,7 @@ def estimate_linear(
         raise InputError("--stroke", f"{1e3 * motion.stroke:.3g} mm", f"3 mm for --method {method}",
                          '"3 mm", or --method posterior')  # fmt: skip
     if abs(getattr(outline, "radius", 0.0) / RADIUS - 1) > SLACK:
-        raise InputError("--radius", str(outline), f"a disk of 40 mm for --method {method}",
+        raise InputError("--radius", _named(outline), f"a disk of 40 mm for --method {method}",
                          '"40 mm", or --method posterior')  # fmt: skip
     omega_line, alpha_line = (line(method, coefficients, angle, of) for of in ("omega", "alpha"))
     f0_sd, b_sd = (_sd(fit.f0_interval), _sd(fit.half_width_interval))
@@ -172,6 +173,14 @@ def estimate_linear(
         friction_angle=math.radians(alpha), friction_angle_sd=math.radians(alpha_line.spread(ratio, ratio_sd)),
         method=method, coefficients=coefficients, refused=refused,
     )  # fmt: skip
+
+
+def _named(outline: Outline) -> str:
+    """An outline in words."""
+    if isinstance(outline, Disk):
+        return f"a disk of {1e3 * outline.radius:.4g} mm"
+    length, width = (f"{1e3 * extent:.4g}" for extent in outline.size())
+    return f"a {outline.shape} of {length} x {width} mm"
 
 
 def _sd(interval: tuple[float, float]) -> float:

@@ -6,11 +6,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from plategait.curve import Curve
+from plategait.curve import Curve, as_curve
 from plategait.errors import InputError
 from plategait.estimate.judgement import CONFIDENCE, Finding, FitCheck, check_fit, judge
 from plategait.estimate.observations import observe_curves
@@ -18,11 +19,14 @@ from plategait.estimate.parameters import Array, unknowns
 from plategait.estimate.posterior import Posterior, estimate_posterior
 from plategait.fragment import Fragment, Measured
 from plategait.motion import PlateMotion
+from plategait.presets import Preset, as_scenario
 from plategait.scenario import Scenario
 from plategait.simulation import plain
+from plategait.units import Quantity
 
 # How runs are made where the measurement's own duration and limit are not told: as in the regenerated dissertation.
 DURATION, TRANSIENT, SLIP_LIMIT = 2.0, 0.6, 0.02
+_SHARE = Quantity("", "", "0.9")
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,8 +143,8 @@ def measured_as(
 
 
 def estimate_parameters(
-    curves: Curve | Sequence[Curve],
-    scenario: Scenario,
+    curves: Curve | Path | str | Sequence[Curve | Path | str],
+    scenario: Scenario | Preset | Path | str,
     *,
     motions: Sequence[PlateMotion] | None = None,
     noise: float | None = None,
@@ -155,13 +159,13 @@ def estimate_parameters(
 
     Parameters
     ----------
-    curves : Curve or sequence of Curve
+    curves : Curve, name of its CSV file, or a sequence of these
         Measured. Several may have been measured at different plate amplitudes.
-    scenario : Scenario
-        The object's size, shape and mass, the plate's motion and the duration of a run; its stiffness and friction are
-        what is sought. See `measured_as`.
+    scenario : Scenario, or what tells one
+        A preset or its name, or a TOML file. The object's size, shape and mass, the plate's motion and the duration of
+        a run; its stiffness and friction are what is sought. See `measured_as`.
     motions : sequence of PlateMotion, optional
-        Of each curve; the scenario's by default.
+        One for each curve; the scenario's by default.
     noise : float, optional
         Relative standard deviation of rates that come without one; estimated too if left out.
     friction_ratio : float, optional
@@ -182,8 +186,14 @@ def estimate_parameters(
     InputError
         For too few or too many points, or options out of range.
     """
-    if isinstance(curves, Curve):
-        curves = [curves]
+    curves = [as_curve(c) for c in ([curves] if isinstance(curves, (Curve, str, Path)) else curves)]
+    scenario = as_scenario(scenario)
+    free, known = ([name] if isinstance(name, str) else name for name in (free, known))
+    confidence = _SHARE.read(confidence, "confidence")
+    noise = None if noise is None else _SHARE.read(noise, "noise")
+    if motions is not None and len(motions) != len(curves):
+        raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
+                         "[scenario.motion]")  # fmt: skip
     if not 0.5 <= confidence < 1:
         raise InputError("confidence", confidence, "at least 0.5 and below 1", "0.9")
     if noise is not None and not 0.001 <= noise <= 1:

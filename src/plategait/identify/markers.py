@@ -82,6 +82,9 @@ def read_angles(path: Path | str, *, y_down: bool = False) -> Angles:
     heading = _first_line(path)
     field, time = "recording", {"time": Column("s")}
     if "x0" not in heading:
+        if y_down:
+            raise InputError("--y-down", "nothing it would change", "left out for joint angles, which have no y",
+                             "a file with x0, y0 to x2, y2")  # fmt: skip
         angle = Column("rad")
         table = read_table(path, time | {"phi1": angle, "phi2": angle}, field=field, example=_EXAMPLE,
                            least_rows=LEAST_ROWS, rising="time")  # fmt: skip

@@ -168,6 +168,11 @@ def reproduce(
     return Study(items, results.simulated, time.perf_counter() - begun, repeats, seed)
 
 
+def simulates(names: Sequence[str]) -> bool:
+    """Whether any of these items is made from runs; some are closed forms or tables of what was given."""
+    return any(spec.name in names and spec.cases() for spec in _SPECS)
+
+
 def known_name(name: str) -> str:
     """Name of an item as `NAMES` has it, whatever its case.
 

@@ -118,6 +118,8 @@ def open_video(source: Path | str, *, fps: float | None = None, seconds: float |
     if seconds is not None and not seconds > 0:
         raise InputError("--seconds", seconds, "a time above 0", "10")
     if str(source).isdigit() and not Path(source).exists():
+        if fps is not None:
+            raise InputError("--fps", fps, "left out with a camera, whose own times are used", "a file of its film")
         with _camera(int(str(source)), 10.0 if seconds is None else seconds) as video:
             yield video
     else:
@@ -220,6 +222,7 @@ def _frame_of(picture: Any, index: int, time: float, width: int, height: int) ->
 def _camera(index: int, seconds: float) -> Iterator[Video]:
     import cv2
 
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)  # what is wrong is said below
     device = cv2.VideoCapture(index)
     try:
         if not device.isOpened():

@@ -83,6 +83,12 @@ class Setup:
         ):
             if value not in among:
                 raise InputError(name, value, f"one of {', '.join(among)}", "auto")
+        for name, given, used in (
+            ("--fiducial", self.fiducial, ("auto", "fiducials")),
+            ("--scale", self.scale, ("auto", "scale")),
+        ):
+            if given is not None and self.plate not in used:
+                raise InputError(name, f"{1e3 * given:g} mm", f"left out with --plate {self.plate}", "--plate auto")
         if self.plate == "scale" and self.scale is None:
             raise InputError("--scale", "nothing", "the size of a pixel on the plate", "0.2 mm")
 

@@ -1,0 +1,343 @@
+"""Every option of every command, in every mode of it: it changes what comes out, or it is refused.
+
+`MODES` holds, for each command and each way to use it, a command line and what each of its options would add to that.
+An option that is listed must change what is printed, written, or asked of the work behind the command; all others of
+the command must be refused. A new option therefore has to be placed here, and has to do something there.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import typer
+
+from plategait.cli import app, main
+from plategait.cli.command import Command
+from plategait.identify import examples
+
+Typed = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A way to use a command: what is typed, what its options add, and which others are refused (None: all)."""
+
+    typed: Typed
+    options: dict[str, Typed]
+    refused: Typed | None = None
+
+    @property
+    def words(self) -> Typed:
+        return self.typed[:2] if self.typed[0] == "identify" else self.typed[:1]
+
+
+def typed(**options: str) -> dict[str, Typed]:
+    """Options by name with a value to type; an empty one for a switch."""
+    named = {f"--{name.strip('_').replace('_', '-')}": value for name, value in options.items()}
+    return {name: (name, value) if value else (name,) for name, value in named.items()}
+
+
+def but(options: dict[str, Typed], *names: str) -> dict[str, Typed]:
+    return {name: value for name, value in options.items() if name not in names}
+
+
+JSON = typed(json="")
+FRAGMENT = typed(out="o.toml", plot="p.png", json="")
+WINDOW = typed(_from="0.02 s", to="0.2 s")
+OBJECT = typed(natural_frequency="8 Hz", angle="5 deg", stroke="2 mm", mu_s="0.6", mu_k="0.3", _with="measured.toml")
+RUN = OBJECT | typed(
+    sheet="pancake", friction_law="adams", duration="0.15 s", dt="5e-5 s", repeats="2", engine="cpu64", plot="p.png"
+)
+SHORT, LONGER = ("--duration", "0.1 s", "--json"), ("--duration", "0.4 s", "--json")
+POSTERIOR = typed(
+    scenario="pancake", _with="measured.toml", stroke="2 mm", angle="5 deg", mass="10 g", radius="30 mm",
+    method="linear", beta="0.5", free="mass", noise="5%", duration="3 s", slip_limit="15 mm", confidence="95%", next="",
+    seed="3", want_frequency="1 rad/s", want_angle="1 deg", out="o.toml", plot="p.png", json="",
+)  # fmt: skip
+BENDING = typed(mass="0.3 g", length="11 mm", width="12 mm", no_centripetal="") | WINDOW | FRAGMENT
+PRESS = typed(thickness="3 mm", length="12 mm", offset="", _from="0.004 s", to="0.008 s") | FRAGMENT
+RING = typed(sheet="pancake", mode="2") | WINDOW | FRAGMENT
+FILMED = typed(
+    plate_size="120 mm", fiducial="10 mm", scale="1 mm", plate="outline", object="texture", fps="60",
+    calibration="lens.json", duration="1 s", out="o.csv", json="",
+)  # fmt: skip
+TRACK = FILMED | typed(frequency="24 Hz", preview="seen.mp4")
+SHOT = OBJECT | typed(
+    frequency="20 Hz", fps="60", size="640x360", elevation="70", no_markers="", noise="4", exposure="0.5", crf="30",
+    hidden="0.3", seed="4", seconds="0.3", json="",
+)  # fmt: skip
+
+MODES = [
+    Mode(("simulate", *SHORT), RUN | typed(frequency="20 Hz", out="o.nc", filmstrip="s.png"), ("--seed", "--draws")),
+    Mode(("simulate", "--duration", "0.02 s"), typed(film="f.mp4"), ()),
+    Mode(("simulate", "--duration", "0.1 s"), JSON, ()),
+    Mode(("simulate", *LONGER, "--repeats", "3"), typed(seed="4"), ()),
+    Mode(("simulate", *LONGER, "--with", "measured.toml"), typed(draws="2"), ()),
+    Mode(("simulate", *LONGER, "--with", "measured.toml", "--draws", "2"), typed(seed="4"), ()),
+    Mode(("curve", "--frequency", "22:24:1Hz", *SHORT), RUN | typed(frequency="20:26:2Hz", out="o.csv")),
+    Mode(("curve", "--frequency", "22:24:1Hz", "--duration", "0.1 s"), JSON, ()),
+    Mode(("curve", "--frequency", "22:24:1Hz", *SHORT, "--repeats", "3"), typed(seed="4"), ()),
+    Mode(("fit", "peak.csv"), typed(plot="p.png", json="")),
+    Mode(("modes",), typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
+    Mode(("scenario",), typed(print="cheese", json="")),
+    Mode(("scenario", "cheese"), JSON),
+    Mode(("scenario", "--print", "cheese"), {}),
+    Mode(("estimate", "peak.csv"), POSTERIOR),
+    Mode(("estimate", "peak.csv", "--next"), typed(candidate_angle="5 deg"), ("--coefficients",)),
+    Mode(("estimate", "told.csv"), but(POSTERIOR, "--noise", "--angle")),
+    Mode(("estimate", "peak.csv", "--method", "linear"),
+         typed(scenario="wide.toml", angle="12 deg", stroke="2 mm", radius="50 mm", coefficients="refitted",
+               out="o.toml", json="")),
+    Mode(("estimate", "peak.csv", "--method", "linear", "--out", "o.toml"),
+         typed(mass="10 g", _with="measured.toml"), ("--noise", "--plot", "--seed")),
+    Mode(("estimate", "told.csv", "--method", "linear"), JSON, ("--angle",)),
+    Mode(("identify", "bending", "bending.csv"), BENDING | typed(method="regression", wall="joint"), ()),
+    Mode(("identify", "bending", "bending.csv", "--method", "regression"), BENDING, ("--wall",)),
+    Mode(("identify", "bending", "down.csv"), typed(y_down=""), ()),
+    Mode(("identify", "bending", "angles.csv"), JSON, ("--y-down",)),
+    Mode(("identify", "compression", "compression.csv"), PRESS | typed(method="regression")),
+    Mode(("identify", "compression", "compression.csv", "--method", "regression"), PRESS),
+    Mode(("identify", "friction", "friction.csv"), FRAGMENT),
+    Mode(("identify", "modes", "modes.csv"), RING | typed(support="cantilever")),
+    Mode(("identify", "modes", "modes.csv", "--support", "cantilever", "--length", "20 mm"),
+         RING | typed(length="21 mm", length_sd="1 mm", mass_per_area="3 kg/m^2")),
+    *(Mode(("identify", "example", kind, "o.csv"), typed(seed="4")) for kind in examples.WRITERS),
+    Mode(("sweep", "plan.toml"),
+         typed(store="other.zarr", refine="2", repair="", dask="host:1", status="", json="")),
+    Mode(("sweep", "done.toml", "--status"), JSON),
+    Mode(("plot", "done.zarr"), typed(out="p.png", json="")),
+    Mode(("thesis", "fig5.7"), typed(seed="4", repeats="2", out="report", json="")),
+    Mode(("thesis", "fig5.7", "--repeats", "1"), JSON, ("--seed",)),
+    Mode(("thesis", "fig2.6"), typed(out="report", json="")),
+    Mode(("track", "clip.mp4"), TRACK),
+    Mode(("track", "clip.mp4", "--plate", "outline"), but(TRACK, "--fiducial", "--scale", "--plate")),
+    Mode(("track", "clip.mp4", "--plate", "fiducials"), but(TRACK, "--scale", "--plate")),
+    Mode(("track", "clip.mp4", "--plate", "scale", "--scale", "2 mm"), but(TRACK, "--fiducial", "--plate")),
+    Mode(("track-folder", "clips"), FILMED | typed(frequencies="table.csv")),
+    Mode(("track-folder", "clips", "--plate", "outline"), JSON, ("--fiducial", "--scale")),
+    Mode(("track-strip", "strip.mp4"), typed(fps="960", duration="0.1 s", link_length="10 mm", out="o.csv", json="")),
+    Mode(("target", "t.pdf"), typed(plate_size="120 mm", fiducial="10 mm")),
+    Mode(("shoot", "cheese", "new.mp4", "--seconds", "0.2"), SHOT),
+    Mode(("shoot", "cheese", "new.mp4", "--no-markers"), JSON, ("--hidden",)),
+]  # fmt: skip
+
+
+# The commands, and what they take
+
+
+def commands() -> Iterator[tuple[Typed, object]]:
+    """Every command by its words."""
+
+    def below(command, words):
+        inner = getattr(command, "commands", None)
+        if inner is None:
+            yield words, command
+        for name, each in (inner or {}).items():
+            yield from below(each, (*words, name))
+
+    yield from below(typer.main.get_command(app), ())
+
+
+COMMANDS = dict(commands())
+
+
+def options_of(words: Typed) -> set[str]:
+    """Options of a command, but for its help; of a switch with two names the one that is not the default."""
+    found = set()
+    for p in COMMANDS[words].params:
+        if p.param_type_name == "option" and "--help" not in p.opts:
+            found.add(p.secondary_opts[0] if p.secondary_opts and p.default else p.opts[0])
+    return found
+
+
+TO_TYPE = {(mode.words, name): value for mode in MODES for name, value in mode.options.items()}
+EFFECTS = [pytest.param(m, name, id=" ".join((*m.typed, name))) for m in MODES for name in m.options]
+REFUSALS = [
+    pytest.param(m, name, id=" ".join((*m.typed, name)))
+    for m in MODES
+    for name in (sorted(options_of(m.words) - set(m.options) - set(m.typed)) if m.refused is None else m.refused)
+]
+
+
+def test_every_option_of_every_command_is_placed():
+    placed = {words: {name for w, name in TO_TYPE if w == words} for words in COMMANDS}
+    assert placed == {words: options_of(words) for words in COMMANDS}
+
+
+def test_every_command_names_options_as_they_are_typed():
+    assert all(isinstance(command, Command) for command in COMMANDS.values())
+
+
+# Files to work on, and what is seen of a command
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory) -> Path:
+    """Folder with a file of each kind."""
+    from plategait.campaign.run import sweep
+    from plategait.identify.markers import read_angles
+    from plategait.presets import preset
+    from plategait.scenario import write_scenario
+    from plategait.vision.film_cantilever import film_cantilever
+
+    folder = tmp_path_factory.mktemp("files")
+    frequency = np.arange(14.0, 29.0)
+    rows = [f"{f:g},{520 / (1 + ((f - 25) / 5.2) ** 2):.6g}" for f in frequency]
+    (folder / "peak.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *rows]))
+    (folder / "few.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", rows[0], rows[6], rows[11]]))
+    rows = [f"{row},3,5" for row in rows]
+    (folder / "told.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s,angle_deg,spin_rate_sd_deg_s", *rows]))
+    (folder / "measured.toml").write_text(
+        '[sheet]\nmass = "11 g"\n[motion]\nstroke = "2.99 mm"\n[uncertainty.sd]\n"sheet.mass" = "1 g"\n'
+    )
+    wide = preset("cheese").scenario.replace(**{"motion.stroke": "4 mm"})
+    (folder / "wide.toml").write_text(write_scenario(wide))
+    for kind, write in examples.WRITERS.items():
+        write(folder / f"{kind}.csv", 0)
+    seen = read_angles(folder / "bending.csv")
+    table = np.column_stack([seen.time, np.degrees(seen.phi_1), np.degrees(seen.phi_2)])
+    np.savetxt(folder / "angles.csv", table, "%.9g", ",", header="time_s,phi1_deg,phi2_deg", comments="")
+    heading = (folder / "bending.csv").read_text().partition("\n")[0]
+    table = np.loadtxt(folder / "bending.csv", delimiter=",", skiprows=1)
+    table[:, [i for i, name in enumerate(heading.split(",")) if name.startswith("y")]] *= -1
+    np.savetxt(folder / "down.csv", table, "%.9g", ",", header=heading, comments="")
+    plan = 'scenario = "cheese"\n[set]\nduration = "0.05 s"\n[grid]\n"motion.frequency" = ["20 Hz", "24 Hz"]\n'
+    (folder / "plan.toml").write_text(plan)
+    sweep(folder / "plan.toml", folder / "done.zarr")
+    lens = {"width": 640, "height": 480, "matrix": [[600, 0, 320], [0, 600, 240], [0, 0, 1]], "distortion": [0]}
+    (folder / "lens.json").write_text(json.dumps(lens))
+    (folder / "table.csv").write_text("clip,frequency_hz\n20Hz,21\n")
+    (folder / "clips").mkdir()
+    film_cantilever(examples.K_B, examples.C_B, folder / "strip.mp4")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def answers(files) -> dict[str, object]:
+    """What the work behind the commands answers, whatever it is asked; what can be is a true answer."""
+    from matplotlib.figure import Figure
+
+    from plategait.campaign.opened import open_sweep
+    from plategait.estimate.result import estimate_parameters
+    from plategait.presets import preset
+    from plategait.simulation import simulate
+    from plategait.thesis.study import Study
+    from plategait.vision.folder import Clip
+    from plategait.vision.synthetic import film, usual_camera
+    from plategait.vision.track import track
+
+    cheese = preset("cheese").scenario.replace(duration=0.8, transient=0.2)
+    run = simulate(cheese, snapshot_interval=cheese.motion.period / 24)
+    truth = film(run, files / "clip.mp4", usual_camera(cheese, 480, 270), 30.0, seconds=0.5)
+    seen = track(files / "clip.mp4")
+    estimate = estimate_parameters(
+        files / "few.csv", cheese, noise=0.05, friction_ratio=0.53, known="natural_frequency"
+    )
+    plan = SimpleNamespace(condition=SimpleNamespace(frequency=20.0, angle=0.1), runs_off=0.0, needed=None,
+                           sd_now=dict.fromkeys(estimate.posterior.unknowns.names, 1.0),
+                           sd_after=dict.fromkeys(estimate.posterior.unknowns.names, 0.5))  # fmt: skip
+    return {
+        "plategait.estimate.result.estimate_parameters": estimate,
+        "plategait.estimate.planning.next_measurement": plan,
+        "plategait.estimate.prediction.predict": None,
+        "plategait.estimate.figures.plot_estimate": Figure(),
+        "plategait.campaign.run.sweep": open_sweep(files / "done.zarr"),
+        "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
+        "plategait.vision.track.track": seen,
+        "plategait.vision.folder.track_folder": [Clip(files / "clips" / "20Hz.mp4", 20.0, "told", seen)],
+        "plategait.vision.synthetic.film": truth,
+    }
+
+
+def comparable(value: object) -> object:
+    """What was asked of the work, without the clock."""
+    if isinstance(value, np.ndarray):
+        return hash(value.tobytes())
+    if callable(value):
+        return "callable"
+    if isinstance(value, (tuple, list)):
+        return [comparable(v) for v in value]
+    if isinstance(value, dict):
+        return {k: comparable(v) for k, v in value.items() if k != "wall"}
+    whole = hasattr(type(value), "model_fields") or not hasattr(value, "__dict__")
+    return repr(value) if whole else comparable(vars(value))
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What a command line brings about."""
+
+    status: int
+    error: str
+    printed: list[str]
+    written: dict[str, str]
+    asked: list[object]
+
+
+@pytest.fixture
+def run(files, answers, tmp_path, monkeypatch, capsys):
+    """Run a command line in a folder of its own, as often as wanted."""
+    asked: list[object] = []
+
+    def stand_in(target: str):
+        def ask(*given, **named):
+            asked.append((target, comparable(given), comparable(named)))
+            return answers[target]
+
+        return ask
+
+    for target in answers:
+        monkeypatch.setattr(target, stand_in(target))
+
+    def once(arguments: Typed) -> Seen:
+        folder = tmp_path / str(len(list(tmp_path.iterdir())))
+        folder.mkdir()
+        for file in files.iterdir():
+            os.symlink(file, folder / file.name)
+        monkeypatch.chdir(folder)
+        monkeypatch.setattr(sys, "argv", ["plategait", *arguments])
+        asked.clear()
+        with pytest.raises(SystemExit) as end:
+            main()
+        out, err = capsys.readouterr()
+        printed = [line for line in out.splitlines() if "speed" not in line and "wall" not in line]
+        new = [p for p in folder.rglob("*") if not p.is_symlink() and p.is_file()]
+        written = {str(p.relative_to(folder)): p.read_text() if p.suffix in (".csv", ".toml") else "" for p in new}
+        return Seen(end.value.code, err, printed, written, list(asked))
+
+    return once
+
+
+@pytest.fixture(scope="module")
+def known() -> dict[Typed, Seen]:
+    """What command lines were seen to bring about."""
+    return {}
+
+
+@pytest.mark.parametrize(("mode", "name"), EFFECTS)
+def test_an_option_changes_what_comes_out(mode, name, run, known):
+    if mode.typed not in known:
+        known[mode.typed] = run(mode.typed)
+        assert run(mode.typed) == known[mode.typed]
+    seen = run((*mode.typed, *mode.options[name]))
+    assert seen != known[mode.typed]
+    assert "left out" not in seen.error
+
+
+@pytest.mark.parametrize(("mode", "name"), REFUSALS)
+def test_an_option_that_would_change_nothing_is_refused(mode, name, run):
+    seen = run((*mode.typed, *TO_TYPE[mode.words, name]))
+    assert seen.status == 2
+    assert name in seen.error
+    assert "left out" in seen.error
+    assert len(seen.error.splitlines()) == 1
+    assert not seen.written
+    assert not seen.asked
