@@ -194,8 +194,9 @@ def _dark_pixels(path: Path) -> NDArray[np.bool_]:
             warnings.simplefilter("ignore")  # of large pictures: there is a limit of our own
             picture = Image.open(content, formats=_FORMATS)
         if picture.width * picture.height > MOST_PIXELS:
-            raise InputError("image", f"{path} ({picture.width} × {picture.height} pixels)",
-                             f"a picture of at most {MOST_PIXELS / 1e6:.0f} million pixels", "a smaller copy")  # fmt: skip
+            allowed = f"a picture of at most {MOST_PIXELS / 1e6:.0f} million pixels"
+            size = f"{picture.width} × {picture.height} pixels"
+            raise InputError("image", f"{path} ({size})", allowed, "a smaller copy")
         gray = np.asarray(picture.convert("LA"))
     except InputError:
         raise

@@ -63,6 +63,16 @@ class Run:
             return 0
         return max(1, round(self.snapshot_interval / (self.stride * self.scenario.dt)))
 
+    @property
+    def n_samples(self) -> int:
+        """Samples of a run that goes to its end."""
+        return self.steps // self.stride + 1
+
+    @property
+    def n_snapshots(self) -> int:
+        """Shapes of a run that goes to its end."""
+        return (self.n_samples - 1) // self.thinning + 1 if self.thinning else 0
+
     def start(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Node positions and velocities at the start: at rest, flat, where the plate carries the weight."""
         if self.initial is not None:
