@@ -110,7 +110,7 @@ def read_samples(path: Path, field: str = "samples") -> Samples:
     names = rows.pop(0) if rows else []
     if "time_s" not in names or not set(names) <= set(scale) or len(set(names)) < len(names):
         said = ", ".join(names) if set(names) & set(scale) else f"{len(names)} of no known name" if names else "none"
-        raise InputError(field, f"columns {said}",
+        raise InputError(field, f"columns {said} in {path.name}",
                          f"time_s and any of {', '.join(list(scale)[1:])}, once each",
                          "a first line such as time_s,x_mm,rx_deg")  # fmt: skip
     try:

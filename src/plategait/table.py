@@ -124,7 +124,7 @@ def read_table(
     rows, separator = read_rows(path, field, example)
     heading = [cell.strip() for cell in rows[0][1]] if rows else []
     named = [_named(cell, columns) for cell in heading]
-    where = {name: _find(name, column, heading, named, field, example) for name, column in columns.items()}
+    where = {name: _find(name, column, heading, named, path, field, example) for name, column in columns.items()}
     if len(rows) - 1 < least_rows:
         needed = f"at least {least_rows} row{'s' * (least_rows > 1)} below the headings"
         raise InputError(field, f"{len(rows[1:])} rows in {path.name}", needed, example)
@@ -194,7 +194,7 @@ def _named(heading: str, columns: Mapping[str, Column]) -> tuple[str, str]:
 
 
 def _find(
-    name: str, column: Column, heading: list[str], named: list[tuple[str, str]], field: str, example: str
+    name: str, column: Column, heading: list[str], named: list[tuple[str, str]], path: Path, field: str, example: str
 ) -> tuple[int, float]:
     """Place of a column and the factor to its wanted unit; place -1 where an optional one is missing."""
     places = [(i, unit) for i, (found, unit) in enumerate(named) if found == name]
@@ -213,7 +213,7 @@ def _find(
         got = [printable(cell, 40) for cell in heading[:12]]
     # What has none of the columns is some other file, whose first line is nobody's business.
     said = ", ".join(got) or (f"{len(heading)} of no known name" if heading else "none")
-    raise InputError(field, f"columns {said}", f"a table with one column {name}", example)
+    raise InputError(field, f"columns {said} in {path.name}", f"a table with one column {name}", example)
 
 
 def _factor(unit: str, column: Column) -> float:
