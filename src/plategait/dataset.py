@@ -136,7 +136,7 @@ def write_dataset(simulation: Simulation, path: Path | str) -> None:
 
 def dataset_bytes(run: Run) -> int:
     """Size of the arrays of `dataset_of` for a run that goes to its end; that of the file is nearly the same."""
-    return 8 * len(_LONG_NAMES) * run.n_samples + (12 * run.lattice.n_nodes + 8 * 6) * run.n_snapshots
+    return 8 * len(_LONG_NAMES) * run.samples + (12 * run.lattice.n_nodes + 8 * 6) * run.pictures
 
 
 def check_room(run: Run, repeats: int, path: Path, field: str = "--out") -> None:

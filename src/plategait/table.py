@@ -158,7 +158,7 @@ def read_rows(path: Path | str, field: str, example: str) -> tuple[list[tuple[in
     try:
         for row in reader:
             if any(map(str.strip, row)):
-                rows.append((reader.line_num, row[: len(rows[0][1])] if rows else row))
+                rows.append((reader.line_num, row))
             if len(rows) > MOST_ROWS or len(rows[0][1] if rows else ()) > MOST_COLUMNS:
                 got = f"{path} (more than {MOST_ROWS} rows or {MOST_COLUMNS} columns)"
                 raise InputError(field, got, "a smaller table", "leaving out what is not needed")

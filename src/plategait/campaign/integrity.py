@@ -28,18 +28,17 @@ def plan_of(path: Path, root: dict[str, Any]) -> Sweep:
         inside the store.
     """
     try:
-        attributes, metadata = root["attributes"], root["consolidated_metadata"]["metadata"]
-        plan = sweep_of_json(attributes["sweep"])
-        wrong = _wrong_attribute(attributes, plan) or _wrong_array(metadata, plan, attributes["batch"])
+        plan = sweep_of_json(root["attributes"]["sweep"])
+        metadata = root["consolidated_metadata"]["metadata"]
+        wrong = _wrong_attribute(root["attributes"], plan) or _wrong_array(metadata, plan, root["attributes"]["batch"])
+        wrong = wrong or next((f"{n}, which is no folder in it" for n in metadata if _is_elsewhere(path / n)), "")
+        if not wrong:
+            return plan
     except InputError as error:  # of the plan, whose picture may be gone
         raise InputError(f"{path.name}, {error.field}", error.got, error.allowed, error.hint) from None
     except (LookupError, TypeError, ValueError, AttributeError, RecursionError):
         wrong = "metadata of another form"
-    if not wrong:
-        wrong = next((f"{name}, which is no folder in it" for name in metadata if _is_elsewhere(path / name)), "")
-    if wrong:
-        raise InputError("store", f"{path} with {wrong}", "as plategait wrote it", "another --store")
-    return plan
+    raise InputError("store", f"{path} with {wrong}", "as plategait wrote it", "another --store")
 
 
 def strange_arrays(path: Path, root: dict[str, Any]) -> list[str]:

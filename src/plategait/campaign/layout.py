@@ -108,7 +108,7 @@ def _fill(group: Any, name: str, values: Any) -> None:
 
 def times(samples: int, interval: float) -> NDArray[np.float64]:
     """Times of the recorded series, s."""
-    return np.arange(samples) * interval
+    return np.arange(samples, dtype=np.float64) * np.float64(interval)
 
 
 def read_root(path: Path) -> dict[str, Any] | None:

@@ -64,14 +64,14 @@ class Run:
         return max(1, round(self.snapshot_interval / (self.stride * self.scenario.dt)))
 
     @property
-    def n_samples(self) -> int:
-        """Samples of a run that goes to its end."""
+    def samples(self) -> int:
+        """Samples that a run to the end leaves."""
         return self.steps // self.stride + 1
 
     @property
-    def n_snapshots(self) -> int:
-        """Shapes of a run that goes to its end."""
-        return (self.n_samples - 1) // self.thinning + 1 if self.thinning else 0
+    def pictures(self) -> int:
+        """Snapshots that a run to the end leaves."""
+        return (self.samples - 1) // self.thinning + 1 if self.thinning else 0
 
     def start(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Node positions and velocities at the start: at rest, flat, where the plate carries the weight."""

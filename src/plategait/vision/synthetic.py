@@ -144,8 +144,8 @@ def film(
             file.add(picture, stamp)
             if progress is not None:
                 progress((k + 1) / len(times.time))
-    truth = _truth(simulation, run, studio, times, start, shares)
-    truth.write(truth_path(path))
+        truth = _truth(simulation, run, studio, times, start, shares)
+        truth.write(truth_path(path))  # before the film is there: no film is left without its truth
     return truth
 
 
