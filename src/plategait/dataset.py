@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import json
 import platform
+import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from plategait.output import whole_file
+from plategait.engine.recording import Run
+from plategait.errors import InputError
+from plategait.memory import available_memory, in_words
+from plategait.output import check_writable, write_whole
 from plategait.scenario import write_scenario
 from plategait.version import __version__
 
@@ -18,6 +22,9 @@ if TYPE_CHECKING:
 
     from plategait.simulation import Simulation
 
+SUFFIXES = (".nc",)
+# The recordings in both of the core's and our own precision, the dataset, the file in memory while it grows.
+_COPIES = 4
 _LONG_NAMES = {
     "centre_x": ("centre of mass along the bar, plate frame", "m"),
     "centre_y": ("centre of mass across the bar, plate frame", "m"),
@@ -66,7 +73,7 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     n_samples = len(longest["time"])
 
     def padded(values: np.ndarray, length: int) -> np.ndarray:
-        out = np.full((length, *values.shape[1:]), np.nan)
+        out = np.full((length, *values.shape[1:]), np.nan, dtype=values.dtype)
         out[: len(values)] = values
         return out
 
@@ -126,5 +133,28 @@ def write_dataset(simulation: Simulation, path: Path | str) -> None:
     InputError
         When the file cannot be written.
     """
-    with whole_file(path, (".nc",), "out") as temporary:
-        dataset_of(simulation).to_netcdf(temporary, engine="h5netcdf")
+    check_writable(path, SUFFIXES, "out")
+    # Put together in memory: HDF5 ends the process where a disk is full.
+    write_whole(dataset_of(simulation).to_netcdf(engine="h5netcdf"), path, SUFFIXES, "out")
+
+
+def dataset_bytes(run: Run) -> int:
+    """Size of the arrays of `dataset_of` for a run that goes to its end; that of the file is nearly the same."""
+    return 8 * len(_LONG_NAMES) * run.samples + (12 * run.lattice.n_nodes + 8 * 6) * run.pictures
+
+
+def check_room(run: Run, repeats: int, path: Path, field: str = "--out") -> None:
+    """Refuse a dataset for which there is not the memory or the disk, before the runs are made.
+
+    Raises
+    ------
+    InputError
+        That says how much it takes and how much there is.
+    """
+    size, disk = repeats * dataset_bytes(run), shutil.disk_usage(path.absolute().parent).free
+    places = (("memory", _COPIES * size, available_memory()), ("disk", size, disk))
+    for what, needed, free in places:
+        if needed > free:
+            shorter = 0.5 * run.scenario.duration * free / needed
+            raise InputError(field, f"{path}, which takes {in_words(needed)} of {what}",
+                             f"within the {in_words(free)} that are free", f'--duration "{shorter:.3g} s"')  # fmt: skip

@@ -2,6 +2,18 @@
 
 from __future__ import annotations
 
+# Letters of each part of a message: enough for a path or a list of names, too few to fill a screen.
+MOST_LETTERS = 240
+
+
+def printable(text: str, most: int = MOST_LETTERS) -> str:
+    """Text of one line that a terminal shows as it stands: control characters as escapes, cut in its middle."""
+    # Escaped text is never shorter: what is cut from it may be cut before it is made.
+    half = most // 2
+    kept = text if len(text) <= most else f"{text[:half]} … {text[-half:]}"
+    shown = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in kept)
+    return shown if len(shown) <= 2 * most else f"{shown[:half]} … {shown[-half:]}"
+
 
 class InputError(ValueError):
     """Bad input: names the field, what was got, what is allowed, and a value that works.
@@ -30,10 +42,10 @@ class InputError(ValueError):
         super().__init__(field, got, allowed, hint)
 
     def __str__(self) -> str:
-        """Give the one-line message."""
-        shown = (
-            self.got
-            if isinstance(self.got, str) and self.got.startswith("nothing")
-            else " ".join(repr(self.got).split())
-        )
-        return f"{self.field}: got {shown}, must be {self.allowed}; try {self.hint}"
+        """Give the one-line message, whatever the parts hold."""
+        words = isinstance(self.got, str) and self.got.startswith("nothing")
+        got = str(self.got) if words else " ".join(repr(self.got).split())
+        field, got = printable(self.field), printable(got)
+        # What is allowed may be a list of many names.
+        allowed, hint = printable(self.allowed, 2 * MOST_LETTERS), printable(self.hint, 2 * MOST_LETTERS)
+        return f"{field}: got {got}, must be {allowed}; try {hint}"

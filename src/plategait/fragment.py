@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,7 @@ from plategait.scenario import Scenario, read_toml
 from plategait.units import Quantity, show
 
 CONFIDENCE = 0.95
+_CONFIDENCE = Quantity("", "", "0.95", above=0, at_most=1)
 _HINT = "plategait identify bending CANTILEVER.csv --out bending.toml"
 
 
@@ -135,16 +136,16 @@ def read_fragment(path: Path | str, field: str = "--with") -> Fragment:
         When the file cannot be read, is no TOML, or names what no scenario has.
     """
     data, text = read_toml(path, field, "a fragment file that can be read", _HINT)
-    uncertainty = data.pop("uncertainty", {})
+    uncertainty = dict(_items("uncertainty", data.pop("uncertainty", {})))
     named = {f"{section}.{name}": value for section, table in data.items() for name, value in _items(section, table)}
     if not named:
         raise InputError(field, str(path), "a file with parameters in it", _HINT)
-    sds, intervals = uncertainty.get("sd", {}), uncertainty.get("interval", {})
+    sds, intervals = (dict(_items(f"uncertainty.{kind}", uncertainty.get(kind, {}))) for kind in ("sd", "interval"))
     parameters = {}
     for name, value in named.items():
         quantity = _quantity(name)
         number = quantity.read(value, name)
-        sd = _free(quantity).read(sds.get(name, 0.0), f"uncertainty.sd.{name}")
+        sd = replace(_free(quantity), at_least=0.0).read(sds.get(name, 0.0), f"uncertainty.sd.{name}")
         ends = intervals.get(name, [number, number])
         if not isinstance(ends, list) or len(ends) != 2:
             raise InputError(f"uncertainty.interval.{name}", ends, "a list of its two ends", '["1", "2"]')
@@ -152,12 +153,14 @@ def read_fragment(path: Path | str, field: str = "--with") -> Fragment:
         parameters[name] = Measured(number, sd, low, high)
     correlation = _correlation(uncertainty, list(parameters))
     source = text.partition("\n")[0].removeprefix("#").strip() if text.startswith("#") else ""
-    return Fragment(parameters, correlation, float(uncertainty.get("confidence", CONFIDENCE)), source)
+    confidence = _CONFIDENCE.read(uncertainty.get("confidence", CONFIDENCE), "uncertainty.confidence")
+    return Fragment(parameters, correlation, confidence, source)
 
 
 def _items(section: str, table: object) -> list[tuple[str, Any]]:
     if not isinstance(table, dict):
-        raise InputError(section, table, "a table of parameters", "[sheet]")
+        # Not what it is instead: the file need not be one of ours.
+        raise InputError(section, "nothing like a table", "a table of parameters", "[sheet]")
     return list(table.items())
 
 
@@ -169,11 +172,13 @@ def _correlation(uncertainty: dict[str, Any], names: list[str]) -> NDArray[np.fl
         order = [uncertainty.get("between", names).index(name) for name in names]
         matrix = matrix[np.ix_(order, order)]
         sound = np.allclose(np.diag(matrix), 1) and np.allclose(matrix, matrix.T) and np.abs(matrix).max() <= 1 + 1e-9
-    except (ValueError, TypeError, IndexError, AttributeError):
+        # As written, with six digits, it may miss being a correlation by their round-off.
+        sound = sound and np.linalg.eigvalsh(matrix).min() >= -1e-4
+    except (ValueError, TypeError, IndexError, AttributeError, RecursionError, np.linalg.LinAlgError):
         sound, matrix = False, np.eye(len(names))
     if not sound:
         raise InputError("uncertainty.correlation", uncertainty["correlation"],
-                         "a symmetric matrix with ones on its diagonal, a row for each name in `between`",
+                         "the symmetric matrix of a correlation, with a row for each name in `between`",
                          "[[1, 0.5], [0.5, 1]]")  # fmt: skip
     return matrix
 

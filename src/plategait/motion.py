@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from fractions import Fraction
 from pathlib import Path
@@ -14,6 +13,7 @@ from pydantic import Field, field_validator, model_validator
 
 from plategait.errors import InputError
 from plategait.model import Model
+from plategait.table import read_rows
 from plategait.units import ANGLE, PLATE_ANGLE, PLATE_STROKE, STROKE, Angle, Delay, Frequency, Offset, Ratio
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
@@ -119,14 +119,11 @@ def read_samples(path: Path, field: str = "samples") -> Samples:
     scale = {"time_s": 1.0} | {
         f"{a}_deg" if a.startswith("r") else f"{a}_mm": math.pi / 180 if a.startswith("r") else 1e-3 for a in AXES
     }
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            rows = [row for row in csv.reader(file) if row]
-    except (OSError, ValueError, csv.Error):
-        raise InputError(field, str(path), "a CSV file that can be read", '"motion.csv"') from None
+    rows = [row for _, row in read_rows(path, field, '"motion.csv"')[0]]
     names = rows.pop(0) if rows else []
     if "time_s" not in names or not set(names) <= set(scale) or len(set(names)) < len(names):
-        raise InputError(field, f"columns {', '.join(names) or 'none'}",
+        said = ", ".join(names) if set(names) & set(scale) else f"{len(names)} of no known name" if names else "none"
+        raise InputError(field, f"columns {said} in {path.name}",
                          f"time_s and any of {', '.join(list(scale)[1:])}, once each",
                          "a first line such as time_s,x_mm,rx_deg")  # fmt: skip
     try:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import math
+import warnings
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -11,11 +15,16 @@ from numpy.typing import NDArray
 from pydantic import Field, field_validator, model_validator
 
 from plategait.errors import InputError
+from plategait.input import LARGEST_PICTURE, read_bytes
 from plategait.model import Model
 from plategait.units import Length, Offset
 
 _Points = NDArray[np.float64]
 
+# Of a picture; it is held once, at two bytes each while it is read.
+MOST_PIXELS = 100_000_000
+# Those that Pillow reads by itself: some others start a program.
+_FORMATS = ("PNG", "JPEG", "BMP", "GIF", "TIFF", "WEBP", "PPM")
 _EDGE = 1e-9  # of a polygon's extent: what is nearer to an edge lies on it
 _TRIANGLE = '[["0 mm", "0 mm"], ["60 mm", "0 mm"], ["0 mm", "60 mm"]]'
 _ROWS = '[".##.", "####", ".##."]'
@@ -108,6 +117,13 @@ class Polygon(Model):
         return inside
 
 
+@dataclass(frozen=True, eq=False)
+class _Picture:
+    """(rows, columns) pixels that are sheet, top row first. No array itself, which pydantic could not compare."""
+
+    dark: NDArray[np.bool_]
+
+
 class Mask(Model):
     """A sheet cut to a picture: its dark (or, where there is transparency, opaque) pixels."""
 
@@ -129,35 +145,29 @@ class Mask(Model):
             raise InputError("image", str(self.image), "left out where rows are given", "one of the two")
         if len({len(row) for row in self.rows}) > 1:
             raise InputError("rows", self.rows, "rows of equal length", _ROWS)
-        if not self.pixels().any():
+        if not self._picture.dark.any():
             raise InputError("image" if self.image else "rows", "nothing dark in the picture",
                              "a dark object on a light ground", f"rows = {_ROWS}")  # fmt: skip
         return self
 
     def pixels(self) -> NDArray[np.bool_]:
         """(columns, rows) pixels of the sheet, cropped to it; row 0 at the bottom."""
-        dark = np.array([[c == "#" for c in row] for row in self.rows], dtype=bool) if self.rows else self._read()
-        if not dark.any():
-            return dark
+        dark = self._picture.dark
         columns, rows = np.nonzero(dark.any(axis=0))[0], np.nonzero(dark.any(axis=1))[0]
         return dark[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1][::-1].T
 
-    def _read(self) -> NDArray[np.bool_]:
+    @cached_property
+    def _picture(self) -> _Picture:
+        """The whole picture; a file is read once."""
+        if self.rows:
+            letters = np.array(self.rows, dtype=str)
+            return _Picture(letters.view("U1").reshape(len(letters), -1) == "#")
         if self.image is None:
             raise InputError("image", "nothing", "a picture file, or rows of text", 'image = "leaf.png"')
-        from PIL import Image
-
-        try:
-            with Image.open(self.image) as picture:
-                gray = np.asarray(picture.convert("LA"), dtype=float)
-        except Exception:  # Pillow's own, and Python's for a spoilt file
-            raise InputError("image", str(self.image), "a picture file that can be read", '"leaf.png"') from None
-        opaque = gray[..., 1] > 127
-        return opaque if not opaque.all() else gray[..., 0] < 128
+        return _Picture(_dark_pixels(self.image))
 
     def _pixel_size(self) -> float:
-        across = len(self.rows[0]) if self.rows else self._read().shape[1]
-        return self.width_of_picture / across
+        return self.width_of_picture / self._picture.dark.shape[1]
 
     def size(self) -> tuple[float, float]:
         """Length along x and width along y, m."""
@@ -171,6 +181,29 @@ class Mask(Model):
         j = np.floor((y / width + 0.5) * pixels.shape[1]).astype(int)
         within = (i >= 0) & (i < pixels.shape[0]) & (j >= 0) & (j < pixels.shape[1])
         return within & pixels[i.clip(0, pixels.shape[0] - 1), j.clip(0, pixels.shape[1] - 1)]
+
+
+def _dark_pixels(path: Path) -> NDArray[np.bool_]:
+    """(rows, columns) opaque pixels of a picture, or its dark ones where it has no transparency."""
+    from PIL import Image
+
+    allowed, works = "a picture file that can be read", '"leaf.png"'
+    content = io.BytesIO(read_bytes(path, LARGEST_PICTURE, "image", allowed, works))
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of large pictures: there is a limit of our own
+            picture = Image.open(content, formats=_FORMATS)
+        if picture.width * picture.height > MOST_PIXELS:
+            allowed = f"a picture of at most {MOST_PIXELS / 1e6:.0f} million pixels"
+            size = f"{picture.width} × {picture.height} pixels"
+            raise InputError("image", f"{path} ({size})", allowed, "a smaller copy")
+        gray = np.asarray(picture.convert("LA"))
+    except InputError:
+        raise
+    except Exception:  # Pillow's own, and Python's for a spoilt file
+        raise InputError("image", f"{path} (no picture)", allowed, works) from None
+    opaque = gray[..., 1] > 127
+    return opaque if not opaque.all() else gray[..., 0] < 128
 
 
 Outline = Annotated[Disk | Ellipse | Rectangle | Polygon | Mask, Field(discriminator="shape")]

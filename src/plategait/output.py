@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shlex
 import tempfile
@@ -12,6 +13,8 @@ from pathlib import Path
 from plategait.errors import InputError
 
 PICTURES = (".png", ".pdf", ".svg")
+# What the system says where the place is at fault and not the program.
+_NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EROFS}
 
 
 def check_writable(path: Path | str, suffixes: Sequence[str], field: str = "output") -> Path:
@@ -66,17 +69,52 @@ def whole_file(path: Path | str, suffixes: Sequence[str], field: str = "output")
     Raises
     ------
     InputError
-        As `check_writable`.
+        As `check_writable`, or when there is no room left.
     """
     path = check_writable(path, suffixes, field)
-    handle, name = tempfile.mkstemp(prefix=".plategait-", suffix=path.suffix, dir=path.parent)
-    os.close(handle)
-    temporary = Path(name)
+    with _room(path, field):
+        handle, name = tempfile.mkstemp(prefix=".plategait-", suffix=path.suffix, dir=path.parent)
+        os.close(handle)
+        temporary = Path(name)
+        try:
+            yield temporary
+            _finish(temporary)
+            temporary.replace(path)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+def write_whole(content: bytes | memoryview, path: Path | str, suffixes: Sequence[str], field: str = "output") -> None:
+    """Write what a library has put together in memory, for those that cannot bear a disk that is full.
+
+    Raises
+    ------
+    InputError
+        As `whole_file`.
+    """
+    with whole_file(path, suffixes, field) as temporary:
+        temporary.write_bytes(content)
+
+
+def _finish(temporary: Path) -> None:
+    """Wait until a file is on the disk, some of which find out only then that they are full; open it to others."""
+    handle = os.open(temporary, os.O_RDWR)
     try:
-        yield temporary
-        mask = os.umask(0)
-        os.umask(mask)
-        temporary.chmod(0o666 & ~mask)
-        temporary.replace(path)
+        os.fsync(handle)
     finally:
-        temporary.unlink(missing_ok=True)
+        os.close(handle)
+    mask = os.umask(0)
+    os.umask(mask)
+    temporary.chmod(0o666 & ~mask)
+
+
+@contextmanager
+def _room(path: Path, field: str) -> Iterator[None]:
+    """Say in one line that a place has no room left."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno not in _NO_ROOM:
+            raise
+        raise InputError(field, f"{path} ({error.strerror})", "a place with room to write",
+                         f"another folder than {path.absolute().parent}") from error  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 import textwrap
 from pathlib import Path
@@ -11,7 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plategait import observables
-from plategait.output import PICTURES, whole_file
+from plategait.output import PICTURES, check_writable, write_whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,8 +40,10 @@ def save(figure: Figure, path: Path | str) -> None:
     InputError
         When the file cannot be written or has another suffix.
     """
-    with whole_file(path, PICTURES, "plot") as temporary:
-        figure.savefig(temporary, dpi=160)
+    # Matplotlib's PDFs do not bear a full disk.
+    content, kind = io.BytesIO(), check_writable(path, PICTURES, "plot").suffix.lower()
+    figure.savefig(content, dpi=160, format=kind.removeprefix("."))
+    write_whole(content.getbuffer(), path, PICTURES, "plot")
 
 
 def _figure(width: float, height: float) -> Figure:

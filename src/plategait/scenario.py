@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import tomllib
 from functools import cached_property
 from pathlib import Path
@@ -13,6 +14,7 @@ from pydantic import Field, model_validator
 
 from plategait.contact import Contact, Friction
 from plategait.errors import InputError
+from plategait.input import LARGEST_TOML, read_text
 from plategait.model import Model, quantity_of
 from plategait.motion import PlateMotion
 from plategait.sheet import Sheet
@@ -24,6 +26,10 @@ LARGEST_TIME_STEP = 1e-4
 SHARE_OF_STABLE_STEP = 0.85
 STEPS_PER_SINE = 20
 MOST_STEPS = 2e9
+
+# Keys of so many parts that the reader, whose time grows with their square, would not end.
+_LONG_KEY = re.compile(r"(?<![\w\"'-])[\w\"'-]++(?:[ \t]*+\.[ \t]*+[\w\"'-]++){32}")
+_PLACE = re.compile(r"(?<=\()at [^()]*(?=\)$)")
 
 
 class Start(Model):
@@ -141,13 +147,19 @@ def read_toml(path: Path | str, field: str, allowed: str, hint: str) -> tuple[di
     InputError
         When the file cannot be read, which must be `allowed`, or is no TOML.
     """
-    try:
-        text = Path(path).read_text(encoding="utf-8-sig")
-        return tomllib.loads(text), text
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(field, str(path), f"TOML ({error})", hint) from None
-    except (OSError, ValueError):
-        raise InputError(field, str(path), allowed, hint) from None
+    text = read_text(path, LARGEST_TOML, field, allowed, hint)
+    why = "names of too many parts"
+    if not _LONG_KEY.search(text):
+        try:
+            return tomllib.loads(text), text
+        except tomllib.TOMLDecodeError as error:
+            # The rest of the message may hold some of the file, which need not be one of ours.
+            why = " ".join(["no TOML", *_PLACE.findall(str(error))])
+        except ValueError:
+            why = "a number of too many digits"
+        except RecursionError:
+            why = "lists or tables nested too deep"
+    raise InputError(field, f"{path} ({why})", allowed, hint)
 
 
 def _resolve_files(data: dict[str, Any], folder: Path) -> dict[str, Any]:

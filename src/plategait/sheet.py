@@ -118,8 +118,8 @@ class Sheet(Model):
         """Largest time step at which the joints are stable, s.
 
         The lattice's eigenvalues are bounded by ω² ≤ (8 k_c + 32 (k_b + k_t)/l²)/m, γ ≤ (8 c + 32 (c_b + c_t)/l²)/m,
-        with the axial damping implicit for each pair of nodes, c = c_c/(1 + 2 c_c dt/m). Semi-implicit Euler with explicit
-        damping is stable while 2 γ dt + ω² dt² < 4, a cubic in dt. The contact is implicit and sets no limit.
+        with the axial damping implicit for each pair of nodes, c = c_c/(1 + 2 c_c dt/m). Semi-implicit Euler with
+        explicit damping is stable while 2 γ dt + ω² dt² < 4, a cubic in dt. The contact is implicit and sets no limit.
         """
         per_pitch = 32 / self.pitch**2
         axial = 8 * self.axial_damping / self.node_mass

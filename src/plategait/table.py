@@ -8,6 +8,7 @@ the cells; a comma may be the decimal sign where a semicolon or tab parts them.
 from __future__ import annotations
 
 import csv
+import io
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -17,12 +18,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.errors import InputError
+from plategait.errors import InputError, printable
+from plategait.input import LARGEST_TABLE, read_text
 from plategait.units import parse
 
 _HEADING = re.compile(r"(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]?\s*")
 # As units are written in names, where there is no slash.
 _SPOKEN = {"hz": "Hz", "n": "N", "mn": "mN", "degree": "deg", "degrees": "deg", "seconds": "s", "sec": "s"}
+
+# More rows than a minute at 10 kHz, more columns than any instrument has; longer headings name no column.
+MOST_ROWS, MOST_COLUMNS, LONGEST_HEADING = 1_000_000, 1_000, 100
 
 
 @dataclass(frozen=True)
@@ -116,17 +121,10 @@ def read_table(
         is no number; names the line.
     """
     path = Path(path)
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            separator = _separator(file.readline())
-            file.seek(0)
-            reader = csv.reader(file, delimiter=separator)
-            rows = [(reader.line_num, row) for row in reader if any(map(str.strip, row))]
-    except (OSError, UnicodeDecodeError, csv.Error, ValueError):
-        raise InputError(field, str(path), "a CSV file that can be read", example) from None
+    rows, separator = read_rows(path, field, example)
     heading = [cell.strip() for cell in rows[0][1]] if rows else []
     named = [_named(cell, columns) for cell in heading]
-    where = {name: _find(name, column, heading, named, field, example) for name, column in columns.items()}
+    where = {name: _find(name, column, heading, named, path, field, example) for name, column in columns.items()}
     if len(rows) - 1 < least_rows:
         needed = f"at least {least_rows} row{'s' * (least_rows > 1)} below the headings"
         raise InputError(field, f"{len(rows[1:])} rows in {path.name}", needed, example)
@@ -146,6 +144,29 @@ def read_table(
     return Table(path, numbers, words, lines)
 
 
+def read_rows(path: Path | str, field: str, example: str) -> tuple[list[tuple[int, list[str]]], str]:
+    """Rows of a CSV file that hold anything, each with the line it ends on, and what parts their cells.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, or has too many rows or columns.
+    """
+    text = read_text(path, LARGEST_TABLE, field, "a CSV file that can be read", example)
+    separator = _separator(text.partition("\n")[0])
+    reader, rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator), []
+    try:
+        for row in reader:
+            if any(map(str.strip, row)):
+                rows.append((reader.line_num, row))
+            if len(rows) > MOST_ROWS or len(rows[0][1] if rows else ()) > MOST_COLUMNS:
+                got = f"{path} (more than {MOST_ROWS} rows or {MOST_COLUMNS} columns)"
+                raise InputError(field, got, "a smaller table", "leaving out what is not needed")
+    except csv.Error:
+        raise InputError(field, f"{path} (no table)", "a CSV file that can be read", example) from None
+    return rows, separator
+
+
 def _separator(first: str) -> str:
     """What parts the cells: the one of tab, semicolon and comma that the headings have."""
     return next((s for s in "\t;" if s in first), ",")
@@ -153,6 +174,8 @@ def _separator(first: str) -> str:
 
 def _split(heading: str) -> list[tuple[str, str]]:
     """Ways in which a heading may be a name and a unit."""
+    if len(heading) > LONGEST_HEADING:
+        return []
     bracketed = _HEADING.fullmatch(heading)
     if bracketed:
         return [(_plain(bracketed["name"]), bracketed["unit"])]
@@ -171,7 +194,7 @@ def _named(heading: str, columns: Mapping[str, Column]) -> tuple[str, str]:
 
 
 def _find(
-    name: str, column: Column, heading: list[str], named: list[tuple[str, str]], field: str, example: str
+    name: str, column: Column, heading: list[str], named: list[tuple[str, str]], path: Path, field: str, example: str
 ) -> tuple[int, float]:
     """Place of a column and the factor to its wanted unit; place -1 where an optional one is missing."""
     places = [(i, unit) for i, (found, unit) in enumerate(named) if found == name]
@@ -185,8 +208,12 @@ def _find(
             raise InputError(field, heading[place], allowed, works) from None
     if not column.required and not places:
         return -1, 1.0
-    got = [heading[i] for i, _ in places] or [cell[:40] for cell in heading[:12]]
-    raise InputError(field, f"columns {', '.join(got) or 'none'}", f"a table with one column {name}", example)
+    got = [heading[i] for i, _ in places]
+    if not got and any(found for found, _ in named):
+        got = [printable(cell, 40) for cell in heading[:12]]
+    # What has none of the columns is some other file, whose first line is nobody's business.
+    said = ", ".join(got) or (f"{len(heading)} of no known name" if heading else "none")
+    raise InputError(field, f"columns {said} in {path.name}", f"a table with one column {name}", example)
 
 
 def _factor(unit: str, column: Column) -> float:
@@ -224,4 +251,4 @@ def _numbers(
 def _words(rows: list[tuple[int, list[str]]], heading: list[str], name: str) -> tuple[str, ...]:
     """One column of text; empty where the file has none."""
     place = heading.index(name) if name in heading else -1
-    return tuple(row[place].strip() if 0 <= place < len(row) else "" for _, row in rows[1:])
+    return tuple(printable(row[place].strip(), 40) if 0 <= place < len(row) else "" for _, row in rows[1:])

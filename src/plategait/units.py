@@ -48,6 +48,8 @@ _POWER = r"(?:(?:\^|\*\*)-?\d|²)?"
 _NAME = rf"\(*(?:[^\W\d_]+|°){_POWER}(?:\){_POWER})*"
 _UNIT = re.compile(rf"{_NAME}(?:(?:\s*[*/·]\s*|\s+){_NAME})*")
 
+# Letters of a number with its unit: the longest names of units take a few dozen.
+_LONGEST = 100
 # Sizes, in SI, beyond which products and quotients of a few numbers leave floating point.
 _SMALLEST, _LARGEST = 1e-30, 1e30
 
@@ -104,6 +106,8 @@ def parse(text: str, unit: str) -> float:
     ValueError
         When the text is no number or its unit measures something else.
     """
+    if len(text) > _LONGEST:
+        raise ValueError(f"{len(text)} letters are no number with a unit")
     match = _NUMBER.fullmatch(text.strip())
     if match is None:
         raise ValueError(f"{text!r} does not begin with a number")

@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 import xarray
 
+from plategait.campaign.identity import fingerprint_of
 from plategait.campaign.lock import locked
 from plategait.campaign.opened import open_sweep
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import base_points
 from plategait.campaign.run import sweep
+from plategait.campaign.seal import sealed
 from plategait.errors import InputError
 
 PLAN = {
@@ -100,8 +102,9 @@ def test_a_store_of_something_else_is_refused_and_kept(store, tmp_path):
             sweep(other, copy)
     root = copy / "zarr.json"
     data = json.loads(root.read_text())
-    data["attributes"] |= {"plategait_version": "0.0.0", "fingerprint": "x"}
-    root.write_text(json.dumps(data))
+    data["attributes"]["plategait_version"] = "0.0.0"
+    data["attributes"]["fingerprint"] = fingerprint_of(data["attributes"])
+    root.write_text(json.dumps(sealed(data)))
     with pytest.raises(InputError, match=r"plategait_version 0\.0\.0"):
         sweep(PLAN, copy)
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 
 import pytest
 
 from plategait.errors import InputError
-from plategait.output import check_writable, whole_file
+from plategait.output import check_writable, whole_file, write_whole
 
 
 def test_a_file_is_written_whole(tmp_path):
@@ -39,6 +40,34 @@ def test_an_exception_leaves_what_was_there(tmp_path, old, error):
         spoilt()
     assert [p.name for p in tmp_path.iterdir()] == ([] if old is None else ["a.csv"])
     assert old is None or path.read_text() == old
+
+
+@pytest.mark.parametrize("code", [errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO])
+def test_a_place_without_room_is_one_line(tmp_path, code):
+    path = tmp_path / "a.csv"
+    path.write_text("old")
+
+    def full():
+        with whole_file(path, (".csv",), "--out") as temporary:
+            temporary.write_text("half")
+            raise OSError(code, os.strerror(code))
+
+    with pytest.raises(InputError, match="with room to write") as caught:
+        full()
+    assert caught.value.field == "--out"
+    assert os.strerror(code) in str(caught.value)
+    assert [p.name for p in tmp_path.iterdir()] == ["a.csv"]
+    assert path.read_text() == "old"
+
+
+def test_a_disk_that_is_found_full_only_as_the_file_is_closed_is_one_line(tmp_path, monkeypatch):
+    def full(handle):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(InputError, match="with room to write"):
+        write_whole(b"x", tmp_path / "a.csv", (".csv",))
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_mask_of_permissions_holds(tmp_path):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from decimal import Decimal
 from fractions import Fraction
 from typing import get_args
@@ -14,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plategait import units
-from plategait.errors import InputError
+from plategait.errors import InputError, printable
 from plategait.units import (
     ANGLE,
     ANGULAR_FREQUENCY,
@@ -195,6 +196,49 @@ def test_turns_and_radians_are_not_mixed_up(quantity, text, right):
     except InputError:
         return
     assert value == pytest.approx(right, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "24 " + "Hz" * 5000, "24" + " " * 100_000 + "Hz", " " * 100_000 + "24 Hz", "24 Hz" + " " * 100_000,
+        "9" * 100_000, "24 " + "m*" * 50_000 + "m", "24 " + "(" * 100_000, "2" + "4 " * 50_000,
+    ],
+    ids=lambda text: text[:8],
+)  # fmt: skip
+def test_text_without_end_is_refused_at_once_and_told_in_short(text):
+    begun = time.process_time()
+    with pytest.raises(InputError) as caught:
+        FREQUENCY.read(text, "motion.frequency")
+    assert len(str(caught.value)) < 500
+    assert time.process_time() - begun < 1, "what grows with the square of the length takes minutes"
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("plain", "plain"),
+        ("\x1b[2J", "\\x1b[2J"),
+        ("a\nb\tc\x7f\x9b", "a\\nb\\tc\\x7f\\x9b"),
+        ("\u202egnp.exe", "\\u202egnp.exe"),
+        ("\udcff", "\\udcff"),
+        ("µ ω é π 漢 –", "µ ω é π 漢 –"),
+    ],
+)
+def test_a_message_shows_control_characters_as_text(text, shown):
+    assert printable(text) == shown
+    for error in (InputError(text, 1, "x", "y"), InputError("f", 1, text, "y"), InputError("f", 1, "x", text)):
+        assert shown in str(error)
+        assert str(error).isprintable()
+    assert str(InputError("f", f"nothing {text}", "x", "y")).isprintable()
+    assert str(InputError("f", text, "x", "y")).isprintable()
+
+
+def test_a_message_keeps_both_ends_of_what_is_long():
+    said = str(InputError("f" * 10_000, "start" + "x" * 10_000 + "end", "y" * 10_000, "\x00" * 10_000))
+    assert len(said) < 2000
+    assert "'start" in said
+    assert "end'" in said
 
 
 def test_the_message_names_field_value_range_and_a_way_out():

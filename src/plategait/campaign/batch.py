@@ -63,6 +63,13 @@ SUMMARY = (
 STATUS = Variable("status", "int8", "1 where the point has been run", by_run=False)
 
 
+def array_names(sweep: Sweep) -> list[str]:
+    """Arrays of a sweep's store that are filled batch by batch, coordinates included."""
+    names = [*(p.name for p in sweep.parameters), *(v.name for v in SUMMARY), STATUS.name]
+    names += [f"series_{channel}" for channel in sweep.record.channels]
+    return names + (["snapshot_time", "position"] if sweep.record.snapshots is not None else [])
+
+
 def variables(sweep: Sweep, points: Sequence[Point]) -> tuple[Variable, ...]:
     """Every array of a sweep's store that is filled batch by batch, but the coordinates.
 

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import platform
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point
+from plategait.campaign.seal import hash_of
 from plategait.engine import cpu
 from plategait.errors import InputError
 from plategait.version import __version__
 
-FORMAT = 1
+FORMAT = 2
+# What decides the bits of a store: who made it, and of what.
+_PARTS = ("plategait_version", "store_format", "instruction_set", "machine", "engine", "sweep_hash", "points_hash")
 
 
 def maker() -> dict[str, Any]:
@@ -29,10 +31,17 @@ def maker() -> dict[str, Any]:
 
 def identity(sweep: Sweep, points: Sequence[Point]) -> dict[str, Any]:
     """Attributes that a store must have to be this sweep's."""
+    text = sweep.to_json()
     # The nodes too: an outline may come from a picture that has changed.
-    content = [sweep.to_json(), points, hashlib.sha256(sweep.scenario.sheet.lattice.key).hexdigest()]
-    parts = maker() | {"engine": sweep.engine, "sweep_hash": _hash(content)}
-    return parts | {"fingerprint": _hash(parts)}
+    content = [points, hashlib.sha256(sweep.scenario.sheet.lattice.key).hexdigest()]
+    parts = maker() | {"engine": sweep.engine, "sweep": text, "points_hash": hash_of(content)}
+    parts["sweep_hash"] = hash_of(text)
+    return parts | {"fingerprint": fingerprint_of(parts)}
+
+
+def fingerprint_of(attributes: Mapping[str, Any]) -> str:
+    """Fingerprint that a store of such attributes must have, from its plan itself and not from what is said of it."""
+    return hash_of({name: attributes[name] for name in _PARTS} | {"sweep_hash": hash_of(attributes["sweep"])})
 
 
 def check_identity(path: object, found: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
@@ -45,15 +54,11 @@ def check_identity(path: object, found: Mapping[str, Any], wanted: Mapping[str, 
     """
     if found.get("fingerprint") == wanted["fingerprint"]:
         return
-    names = {"sweep_hash": "sweep or scenario"}
-    differ = [name for name in wanted if name != "fingerprint" and found.get(name) != wanted[name]]
+    names = {"sweep_hash": "sweep or scenario", "points_hash": "picture, or way to lay out sheets and samples"}
+    differ = [name for name in _PARTS if found.get(name) != wanted[name]]
     said = "; ".join(
         f"another {names[name]}" if name in names else f"{name} {found.get(name)}, not {wanted[name]}"
         for name in differ or ["fingerprint"]
     )
     raise InputError("store", f"{path} with {said}", "a store of this very sweep, by the same plategait and machine",
                      "another --store")  # fmt: skip
-
-
-def _hash(content: object) -> str:
-    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()

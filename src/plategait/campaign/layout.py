@@ -16,15 +16,24 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from plategait.campaign.batch import Variable
+from plategait.campaign.identity import FORMAT
 from plategait.campaign.lock import NAME as LOCK
 from plategait.campaign.parameters import Parameter
 from plategait.campaign.points import Point, columns
+from plategait.campaign.seal import SEAL, is_sealed, sealed
+from plategait.errors import InputError
+from plategait.input import UnreadableError, plain_bytes
 
 ROOT, CHECKSUM = "zarr.json", "checksum"
+# Of the metadata, bytes: plans of millions of values are in them.
+LARGEST_ROOT = 256 << 20
+# Codecs that arrays are written with; some others run what they read.
+CODECS = {"bytes", "vlen-utf8", "zstd", "crc32c"}
 _NEW = ".new"
-_FILL: dict[str, Any] = {
+FILL: dict[str, Any] = {
     "float64": math.nan, "float32": math.nan, "int64": 0, "int8": 0, "bool": False, "string": "", "uint64": 0,
 }  # fmt: skip
 
@@ -56,7 +65,7 @@ def create(
     import zarr
 
     for entry in set(os.listdir(path)) - {LOCK}:
-        shutil.rmtree(path / entry) if (path / entry).is_dir() else os.unlink(path / entry)
+        remove(path / entry)
     new = path / _NEW
     group = zarr.create_group(str(new), zarr_format=3, attributes=dict(attributes))
     for array in arrays:
@@ -70,10 +79,11 @@ def create(
     samples = next((a.inner["time"] for a in arrays if "time" in a.inner), 0)
     if samples:
         _array(group, Variable("time", "float64", "time", "s"), (samples,), (samples,), ("time",))
-        _fill(group, "time", np.arange(samples) * interval)
+        _fill(group, "time", times(samples, interval))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # zarr warns that not every reader knows metadata in one place
         zarr.consolidate_metadata(str(new), zarr_format=3)
+    write_whole(new / ROOT, json.dumps(sealed(json.loads((new / ROOT).read_text(encoding="utf-8"))), indent=2))
     for entry in sorted(os.listdir(new), key=lambda name: name == ROOT):
         os.replace(new / entry, path / entry)
     new.rmdir()
@@ -87,7 +97,7 @@ def _array(group: Any, array: Variable, shape: tuple[int, ...], chunks: tuple[in
     # Whoever reads a spoilt chunk gets an error, by the check sum in it.
     group.create_array(
         array.name, shape=shape, dtype=array.kind, chunks=tuple(max(1, c) for c in chunks), dimension_names=tuple(dims),
-        attributes=attributes, fill_value=_FILL[array.kind], compressors=[ZstdCodec(level=3), Crc32cCodec()],
+        attributes=attributes, fill_value=FILL[array.kind], compressors=[ZstdCodec(level=3), Crc32cCodec()],
         chunk_key_encoding={"name": "default", "separator": "."},
     )  # fmt: skip
 
@@ -96,13 +106,36 @@ def _fill(group: Any, name: str, values: Any) -> None:
     group[name][...] = values
 
 
+def times(samples: int, interval: float) -> NDArray[np.float64]:
+    """Times of the recorded series, s."""
+    return np.arange(samples, dtype=np.float64) * np.float64(interval)
+
+
 def read_root(path: Path) -> dict[str, Any] | None:
-    """Metadata of a store; None where they are missing or spoilt."""
+    """Metadata of a store; None where they are missing, or not as they were written.
+
+    Raises
+    ------
+    InputError
+        When they are of another format.
+    """
     try:
-        root = json.loads((path / ROOT).read_text(encoding="utf-8"))
-        return root if root["consolidated_metadata"]["metadata"] and root["attributes"]["fingerprint"] else None
-    except (OSError, ValueError, KeyError, TypeError):
+        root = json.loads(plain_bytes(path / ROOT, LARGEST_ROOT, links=False))
+        attributes = root["attributes"]
+        kind, maker = attributes["store_format"], attributes["plategait_version"]
+        if kind == FORMAT or SEAL in attributes:
+            sound = SEAL in attributes and is_sealed(root)
+            if kind == FORMAT or not sound:
+                return root if sound else None
+    except (UnreadableError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return None
+    raise InputError("store", f"{path} of store format {kind}, by plategait {maker}", f"of format {FORMAT}",
+                     "that plategait, or another --store")  # fmt: skip
+
+
+def remove(path: Path) -> None:
+    """Remove what stands at a path, if anything; of a link the link."""
+    shutil.rmtree(path) if path.is_dir() and not path.is_symlink() else path.unlink(missing_ok=True)
 
 
 def publish(path: Path, root: dict[str, Any], n_points: int, batch: int, **attributes: Any) -> None:
@@ -112,14 +145,15 @@ def publish(path: Path, root: dict[str, Any], n_points: int, batch: int, **attri
             length = n_points if metadata["dimension_names"][0] == "point" else math.ceil(n_points / batch)
             metadata["shape"][0] = length
             write_whole(path / name / ROOT, json.dumps(metadata, indent=2))
-    root["attributes"] |= attributes
+    root["attributes"] = sealed(root | {"attributes": root["attributes"] | attributes})["attributes"]
     write_whole(path / ROOT, json.dumps(root, indent=2))
 
 
 def write_whole(path: Path, text: str) -> None:
     """Replace a file whole, on the disk when this returns."""
     temporary = path.with_name(f"{path.name}.partial")
-    with open(temporary, "w", encoding="utf-8") as file:
+    remove(temporary)
+    with open(temporary, "x", encoding="utf-8") as file:
         file.write(text)
         file.flush()
         os.fsync(file.fileno())

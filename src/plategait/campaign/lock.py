@@ -19,9 +19,13 @@ def locked(folder: Path) -> Iterator[None]:
     Raises
     ------
     InputError
-        When another process holds it.
+        When another process holds it, or it cannot be written to.
     """
-    handle = os.open(folder / NAME, os.O_RDWR | os.O_CREAT, 0o666)
+    try:
+        handle = os.open(folder / NAME, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
+    except OSError as error:
+        raise InputError("store", f"{folder / NAME} ({error.strerror})", "a file that can be written",
+                         "another --store") from None  # fmt: skip
     try:
         try:
             _take(handle)

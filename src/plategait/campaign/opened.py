@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.campaign.plan import Sweep, sweep_of_json
+from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point, base_points
 from plategait.campaign.store import Store, check_path
 from plategait.ensemble import TAKEN, Ensemble, together
@@ -52,7 +52,7 @@ class Campaign:
     @property
     def complete(self) -> bool:
         """Whether every point that the plan names has been run, and nothing is damaged."""
-        return not self.damaged and bool(self.done[: self.n_base].all())
+        return not self.said and bool(self.done[: self.n_base].all())
 
     @cached_property
     def data(self) -> xarray.Dataset:
@@ -116,7 +116,7 @@ class Campaign:
             "seed": self.plan.seed,
             "fingerprint": self.attributes["fingerprint"],
         }
-        if not self.done.any() or self.damaged:
+        if not self.done.any() or self.said:
             return numbers
         shown = self.outcomes
         height = np.where(shown.failed | ~np.isfinite(shown.rate), -1.0, np.abs(shown.rate))
@@ -150,10 +150,11 @@ def open_sweep(path: Path | str, *, damaged: bool = False) -> Campaign:
     if not path.is_dir():
         raise InputError("store", str(path), "a store", f"plategait sweep {path.stem}.toml")
     store = Store(path)
-    plan = sweep_of_json(store.attributes["sweep"])
+    plan = store.plan
     done, lost = store.state()
-    said = store.describe(lost, base_points(plan)) if lost else ""
-    if lost and not damaged:
+    lines = [store.describe(lost, base_points(plan))] if lost else []
+    said = "; ".join(lines + [f"damage in {what}" for what in store.damaged_metadata()])
+    if said and not damaged:
         raise InputError("store", f"{path} with {said}", "whole", "plategait sweep … --repair, to run these again")
     points = tuple(i for batch in lost for i in store.batches()[batch])
     return Campaign(path, plan, done, points, said, dict(store.attributes))

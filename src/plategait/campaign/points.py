@@ -6,6 +6,7 @@ import itertools
 import math
 import warnings
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +38,24 @@ def base_points(sweep: Sweep) -> list[Point]:
 def grid_shape(sweep: Sweep) -> tuple[int, ...]:
     """Lengths of a grid's lists; empty for what is no grid."""
     return tuple(len(values) for values in sweep.grid.values())
+
+
+def point_count(sweep: Sweep) -> int:
+    """Points that the plan names."""
+    if sweep.sample is not None:
+        return sweep.sample.count
+    return math.prod(grid_shape(sweep)) if sweep.grid else len(next(iter(sweep.points.values())))
+
+
+def described(sweep: Sweep) -> dict[str, Any]:
+    """Attributes of a store that say what is in it, all of which follow from the plan."""
+    return {
+        "title": sweep.name,
+        "coordinates": " ".join(p.name for p in sweep.parameters),
+        "grid_shape": list(grid_shape(sweep)),
+        "base_points": point_count(sweep),
+        "seed": sweep.seed,
+    }
 
 
 def _sampled(sweep: Sweep) -> list[Point]:

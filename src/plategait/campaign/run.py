@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 
 from plategait.campaign.batch import Rows, variables
+from plategait.campaign.held import open_to_write
 from plategait.campaign.opened import Campaign, open_sweep
 from plategait.campaign.plan import Sweep, read_sweep
 from plategait.campaign.points import Point
 from plategait.campaign.refine import propose, refined_parameter
-from plategait.campaign.store import Store, open_to_write, with_coordinates
+from plategait.campaign.store import Store, with_coordinates
 from plategait.campaign.workers import Job, Workers, connect, here, on_dask
 from plategait.ensemble import TAKEN, Ensemble, together
 from plategait.errors import InputError

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -13,15 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.campaign import layout
-from plategait.campaign.batch import Rows, Variable, variables
-from plategait.campaign.identity import check_identity, identity
-from plategait.campaign.lock import locked
-from plategait.campaign.plan import Sweep
-from plategait.campaign.points import Point, base_points, columns
+from plategait.campaign.batch import Rows
+from plategait.campaign.integrity import plan_of, strange_arrays
+from plategait.campaign.points import Point, columns
 from plategait.errors import InputError
+from plategait.input import UnreadableError, plain_bytes
 
 # Points lost or to come that a message names.
 _NAMED = 12
+# Bytes of a chunk; a larger one is none of ours.
+_LARGEST_CHUNK = 1 << 34
 
 
 class Store:
@@ -30,6 +32,7 @@ class Store:
     Attributes
     ----------
     path : Path
+    plan : Sweep
     attributes : dict
     batch : int
         Points of a batch.
@@ -40,10 +43,12 @@ class Store:
     def __init__(self, path: Path) -> None:
         root = layout.read_root(path)
         if root is None:
-            raise InputError("store", f"{path} without a sound zarr.json: all points are lost", "a whole store",
-                             "--repair, to run all of it again")  # fmt: skip
+            raise InputError("store", f"{path} with its zarr.json missing, damaged or edited: all points are lost",
+                             "a whole store", "--repair, to run all of it again")  # fmt: skip
+        self.plan = plan_of(path, root)
         self.path, self._root = path, root
         self._arrays: dict[str, Any] = {}
+        self._place = _place(path)
 
     @property
     def attributes(self) -> dict[str, Any]:
@@ -89,12 +94,39 @@ class Store:
         return self.path / name / ".".join(["c", str(batch), *["0"] * inner])
 
     def _digest(self, batch: int) -> int:
-        """Of the bytes of a batch's chunks; raises OSError when one is missing."""
+        """Of the bytes of a batch's chunks; raises UnreadableError when one is missing or no plain file."""
         total = hashlib.blake2b(digest_size=8)
         for name in sorted(self.names):
-            content = self._chunk(name, batch).read_bytes()
+            content = plain_bytes(self._chunk(name, batch), _LARGEST_CHUNK, links=False)
             total.update(f"{name} {len(content)} ".encode() + content)
         return int.from_bytes(total.digest(), "little") or 1
+
+    def damaged_metadata(self) -> list[str]:
+        """What is damaged beside the points, and can be made anew from what is not."""
+        strange = [f"the zarr.json of {name}" for name in strange_arrays(self.path, self._root)]
+        return strange + ["the times of its series"] * (not self._times_are_whole())
+
+    def mend_metadata(self) -> None:
+        """Write anew whatever `damaged_metadata` tells."""
+        for name, metadata in self._metadata.items():
+            (self.path / name).mkdir(exist_ok=True)
+            layout.remove(self.path / name / layout.ROOT)
+            layout.write_whole(self.path / name / layout.ROOT, json.dumps(metadata, indent=2))
+        if not self._times_are_whole():
+            layout.remove(self.path / "time" / "c.0")
+            self._array("time")[...] = self._times()
+
+    def _times(self) -> NDArray[np.float64]:
+        return layout.times(self._metadata["time"]["shape"][0], self.plan.record.interval)
+
+    def _times_are_whole(self) -> bool:
+        if "time" not in self._metadata:
+            return True
+        try:
+            plain_bytes(self.path / "time" / "c.0", _LARGEST_CHUNK, links=False)
+            return bool(np.array_equal(self._array("time")[...], self._times()))
+        except Exception:  # whatever zarr's codecs raise for a spoilt chunk
+            return False
 
     def state(self) -> tuple[NDArray[np.bool_], list[int]]:
         """Which points have been run for sure, and which batches are damaged.
@@ -103,9 +135,11 @@ class Store:
         """
         done, damaged = np.zeros(self.n_points, dtype=bool), []
         for batch, span in enumerate(self.batches()):
-            if not self._chunk(layout.CHECKSUM, batch).exists():
+            chunk = self._chunk(layout.CHECKSUM, batch)
+            if not os.path.lexists(chunk):
                 continue
             try:
+                plain_bytes(chunk, _LARGEST_CHUNK, links=False)
                 whole = int(self._array(layout.CHECKSUM)[batch]) == self._digest(batch)
                 if whole:
                     done[span.start : span.stop] = self._array("status")[span.start : span.stop] == 1
@@ -117,10 +151,11 @@ class Store:
 
     def drop(self, batch: int) -> None:
         """Forget a batch: from now on it has not been run."""
-        self._chunk(layout.CHECKSUM, batch).unlink(missing_ok=True)
-        layout.sync([self.path / layout.CHECKSUM])
-        for name in self.names:
-            self._chunk(name, batch).unlink(missing_ok=True)
+        with self._in_its_place():
+            layout.remove(self._chunk(layout.CHECKSUM, batch))
+            layout.sync([self.path / layout.CHECKSUM])
+            for name in self.names:
+                layout.remove(self._chunk(name, batch))
 
     def read(self, name: str, span: range) -> NDArray:
         """Rows of an array."""
@@ -130,20 +165,36 @@ class Store:
         """Write the first rows of a batch, then its check sum; it counts from then on, and not before."""
         start = batch * self.batch
         self.drop(batch)
-        for name in self.names:
-            self._array(name)[start : start + len(rows[name])] = rows[name]
-        chunks = [self._chunk(name, batch) for name in self.names]
-        layout.sync([*chunks, *(chunk.parent for chunk in chunks)])
-        self._array(layout.CHECKSUM)[batch] = self._digest(batch)
-        marker = self._chunk(layout.CHECKSUM, batch)
-        layout.sync([marker, marker.parent])
+        with self._in_its_place():
+            for name in self.names:
+                self._array(name)[start : start + len(rows[name])] = rows[name]
+            chunks = [self._chunk(name, batch) for name in self.names]
+            layout.sync([*chunks, *(chunk.parent for chunk in chunks)])
+            self._array(layout.CHECKSUM)[batch] = self._digest(batch)
+            marker = self._chunk(layout.CHECKSUM, batch)
+            layout.sync([marker, marker.parent])
 
     def grow(self, n_points: int, **attributes: Any) -> None:
         """Make room for points, and set attributes."""
         n_points = max(n_points, self.n_points)
         if n_points > self.n_points or any(self.attributes.get(k) != v for k, v in attributes.items()):
-            layout.publish(self.path, self._root, n_points, self.batch, **attributes)
+            with self._in_its_place():
+                layout.publish(self.path, self._root, n_points, self.batch, **attributes)
             self._arrays = {}
+
+    @contextmanager
+    def _in_its_place(self) -> Iterator[None]:
+        """Write only while the folder is the one that was opened, and say in one line when it is not or is full."""
+        hint = "the same command again, with --store where it is now"
+        if _place(self.path) != self._place:
+            raise InputError("store", f"{self.path}, which was moved or deleted while it was written",
+                             "left where it is", hint)  # fmt: skip
+        try:
+            yield
+        except (OSError, UnreadableError) as error:
+            said = getattr(error, "strerror", None) or error
+            got = f"{self.path} ({said})" if _place(self.path) == self._place else f"{self.path}, which was moved"
+            raise InputError("store", got, "a folder that stays and can be written to", hint) from error
 
     def describe(self, batches: Sequence[int], points: Sequence[Point]) -> str:
         """Say which points lie in batches."""
@@ -153,65 +204,6 @@ class Store:
         first = spans[0].start
         example = f", from {_point(points[first])}" if first < len(points) else ""
         return f"{sum(map(len, spans))} points lost ({said}{more}{example})"
-
-
-@contextmanager
-def open_to_write(path: Path, sweep: Sweep, batch: int, repair: bool) -> Iterator[tuple[Store, list[Point]]]:
-    """Store of a sweep and its base points, held for this process; laid out where there is none.
-
-    Raises
-    ------
-    InputError
-        When it cannot be written, is another sweep's, is held by another process, or is damaged and not to be repaired.
-    """
-    check_path(path)
-    points = base_points(sweep)
-    wanted = identity(sweep, points)
-    try:
-        path.mkdir(exist_ok=True)
-    except OSError as error:
-        raise InputError("store", f"{path} ({error.strerror})", "a folder that can be written", "sweep.zarr") from None
-    if not os.access(path, os.W_OK):
-        raise InputError("store", str(path), "a folder that can be written", f"another --store than {path.name}")
-    root = layout.read_root(path)
-    arrays = (*layout.coordinates(sweep.parameters, points[0]), *variables(sweep, points)) if root is None else ()
-    if root is None and not layout.is_ours(path, arrays):
-        hint = str(path.with_name(f"{path.stem}-2.zarr"))
-        raise InputError("store", f"the folder {path} with other files in it", "a store, or a new name", hint)
-    with locked(path):
-        root = layout.read_root(path)
-        if root is None:
-            if (path / layout.ROOT).exists() and not repair:
-                Store(path)
-            _lay_out(path, sweep, arrays or variables(sweep, points), points, batch, wanted)
-        store = Store(path)
-        check_identity(path, store.attributes, wanted)
-        for left in path.rglob("*.partial"):
-            left.unlink(missing_ok=True)
-        _, damaged = store.state()
-        if damaged and not repair:
-            raise InputError(
-                "store", f"{path} with {store.describe(damaged, points)}", "whole", "--repair, to run these again"
-            )
-        for lost in damaged:
-            store.drop(lost)
-        yield store, points
-
-
-def _lay_out(
-    path: Path, sweep: Sweep, arrays: Sequence[Variable], points: Sequence[Point], batch: int, wanted: dict[str, Any]
-) -> None:
-    attributes = wanted | {
-        "title": sweep.name,
-        "sweep": sweep.to_json(),
-        "coordinates": " ".join(p.name for p in sweep.parameters),
-        "grid_shape": [len(values) for values in sweep.grid.values()],
-        "base_points": len(points),
-        "batch": batch,
-        "refine": 0,
-        "seed": sweep.seed,
-    }
-    layout.create(path, arrays, points, sweep.repeats, batch, sweep.record.interval, attributes)
 
 
 def check_path(path: Path) -> None:
@@ -235,6 +227,16 @@ def check_path(path: Path) -> None:
 def with_coordinates(rows: Rows, points: Sequence[Point]) -> Rows:
     """Rows with the columns of their points."""
     return rows | columns(list(points[0]), points)
+
+
+def _place(path: Path) -> tuple[int, int] | None:
+    """Which folder stands at a path; None where it is no store any more."""
+    try:
+        (path / layout.ROOT).stat(follow_symlinks=False)
+        status = path.stat()
+    except OSError:
+        return None
+    return status.st_dev, status.st_ino
 
 
 def _point(point: Point) -> str:

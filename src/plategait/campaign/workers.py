@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -11,9 +13,12 @@ from plategait.campaign.identity import maker
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point
 from plategait.errors import InputError
+from plategait.input import LARGEST_JSON, read_bytes
 
 # Lost workers that a batch outlives.
 RETRIES = 5
+# For which a scheduler is waited for, s.
+TIMEOUT = 15
 
 
 @dataclass(frozen=True)
@@ -99,9 +104,16 @@ def connect(address: object) -> Any:
         raise InputError("dask", "nothing installed", "installed", 'pip install "plategait[dask]"') from None
     if isinstance(address, Client):
         return address
+    scheduler = "the address of a scheduler that answers"
+    if str(address).endswith(".json"):
+        # Dask waits for the file for ever; a scheduler that was just started writes it in a moment.
+        given_up = time.monotonic() + TIMEOUT
+        while not os.path.lexists(str(address)) and time.monotonic() < given_up:
+            time.sleep(0.1)
+        read_bytes(str(address), LARGEST_JSON, "dask", scheduler, "tcp://127.0.0.1:8786")
     try:
         if str(address).endswith(".json"):
-            return Client(scheduler_file=str(address), timeout=15)
-        return Client(str(address), timeout=15)
+            return Client(scheduler_file=str(address), timeout=TIMEOUT)
+        return Client(str(address), timeout=TIMEOUT)
     except (OSError, ValueError, TimeoutError):
-        raise InputError("dask", address, "the address of a scheduler that answers", "tcp://127.0.0.1:8786") from None
+        raise InputError("dask", address, scheduler, "tcp://127.0.0.1:8786") from None

@@ -24,7 +24,7 @@ from plategait.cli.thesis import thesis
 from plategait.cli.track import track
 from plategait.cli.track_folder import track_folder
 from plategait.cli.track_strip import track_strip
-from plategait.errors import InputError
+from plategait.errors import InputError, printable
 from plategait.output import PICTURES, check_outputs
 from plategait.presets import PRESETS, as_scenario, preset
 from plategait.scenario import write_scenario
@@ -105,6 +105,11 @@ def simulate(
         frequency=FREQUENCY.read(frequency, "--frequency") if frequency is not None else None,
     )  # fmt: skip
     chosen = build()
+    if out:
+        from plategait.dataset import check_room
+        from plategait.engine.recording import Run
+
+        check_room(Run(chosen, snapshot_interval=simulation.FILM_INTERVAL), repeats, out)
     with report.progress_bar("simulating") as progress:
         result = simulation.simulate(
             chosen, repeats=repeats, seed=seed, engine=engine, progress=progress,
@@ -229,9 +234,8 @@ def scenario_command(
             "dt_s": checked.dt,
             "duration_s": checked.duration,
         }
-        report.print_json(facts) if as_json else print(
-            f"{name}: {checked.name}, {checked.sheet.lattice.n_nodes} nodes, step {checked.dt:.3g} s"
-        )
+        sizes = f"{facts['nodes']} nodes, step {checked.dt:.3g} s"
+        report.print_json(facts) if as_json else print(f"{printable(name)}: {printable(checked.name)}, {sizes}")
     elif as_json:
         report.print_json(
             {

@@ -13,6 +13,7 @@ from typing import Any
 
 from plategait.curve import Curve
 from plategait.energy import LEDGER_TOLERANCE
+from plategait.errors import printable
 from plategait.lorentz import LorentzFit
 from plategait.modes import Modes
 from plategait.simulation import Simulation
@@ -23,7 +24,9 @@ _PATIENCE = 1.0
 
 def print_json(numbers: dict[str, Any]) -> None:
     """Print one JSON object."""
-    print(json.dumps(numbers, indent=2, ensure_ascii=False, allow_nan=False))
+    text = json.dumps(numbers, indent=2, ensure_ascii=False, allow_nan=False)
+    # JSON itself escapes only the control characters of ASCII.
+    print("".join(c if c.isprintable() or c == "\n" else json.dumps(c)[1:-1] for c in text))
 
 
 def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
@@ -33,11 +36,11 @@ def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
     from rich.markup import escape
     from rich.table import Table
 
-    table = Table(title=escape(title), title_justify="left", box=box.SIMPLE_HEAD)
+    table = Table(title=escape(printable(title)), title_justify="left", box=box.SIMPLE_HEAD)
     for i, column in enumerate(columns):
         table.add_column(column, justify="left" if i == 0 else "right")
     for row in rows:
-        table.add_row(*map(escape, row))
+        table.add_row(*(escape(printable(cell)) for cell in row))
     # A pipe has no width: leave room enough that nothing is folded.
     Console(width=None if sys.stdout.isatty() else 120).print(table)
 

@@ -72,7 +72,7 @@ def _status(path: Path, as_json: bool) -> None:
 
     opened = open_sweep(path, damaged=True)
     report.print_json(opened.summary()) if as_json else _print(opened)
-    raise typer.Exit(1 if opened.damaged else 0)
+    raise typer.Exit(1 if opened.said else 0)
 
 
 def _print(campaign: Campaign) -> None:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-import os
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from pathlib import Path
+from collections.abc import Sequence
 
 from plategait.engine.recording import Run
 from plategait.engine.trajectories import table_bytes
 from plategait.errors import InputError
+from plategait.memory import available_memory
 
 # A batch is held to this much recording, and to no fewer runs than fill the lanes of a few blocks.
 _LARGEST_RECORDING, _SMALLEST_BATCH = 256 << 20, 64
@@ -70,54 +68,3 @@ def _recording_bytes(run: Run, channels: int) -> float:
 
 def _running_bytes(run: Run, sample_bytes: int) -> float:
     return sample_bytes * run.samples + 12.0 * run.lattice.n_nodes * (run.pictures + 8)
-
-
-def available_memory() -> float:
-    """Bytes that this process may still take: what the system, its control group and its own limits leave.
-
-    Infinite where none of them says.
-    """
-    return max(0.0, min([*_left_by_system(), *_left_by_limits(), *_left_by_control_groups()], default=math.inf))
-
-
-def _read(path: Path | str) -> str:
-    try:
-        return Path(path).read_text(encoding="ascii", errors="replace")
-    except OSError:
-        return ""
-
-
-def _left_by_system() -> Iterator[float]:
-    for line in _read("/proc/meminfo").splitlines():
-        if line.startswith("MemAvailable:"):
-            yield 1024.0 * int(line.split()[1])
-
-
-def _left_by_limits() -> Iterator[float]:
-    try:
-        import resource
-    except ImportError:  # not on Windows
-        return
-    limit, _ = resource.getrlimit(resource.RLIMIT_AS)
-    pages = _read("/proc/self/statm").split()
-    if limit != resource.RLIM_INFINITY and pages:
-        yield float(limit - int(pages[0]) * os.sysconf("SC_PAGE_SIZE"))
-
-
-def _left_by_control_groups() -> Iterator[float]:
-    """Limit less use of each group that holds this process, of version 2 or 1; cached files count as free."""
-    for line in _read("/proc/self/cgroup").splitlines():
-        _, kind, path = line.split(":", 2)
-        if kind == "":
-            root, limit, used, cached = Path("/sys/fs/cgroup"), "memory.max", "memory.current", "inactive_file"
-        elif "memory" in kind.split(","):
-            root, limit, used = Path("/sys/fs/cgroup/memory"), "memory.limit_in_bytes", "memory.usage_in_bytes"
-            cached = "total_inactive_file"
-        else:
-            continue
-        inner = root / path.strip("/")
-        for folder in (inner, *(above for above in inner.parents if above.is_relative_to(root))):
-            numbers = [_read(folder / name).strip() for name in (limit, used)]
-            if all(number.isdigit() for number in numbers):
-                files = dict(pair.split() for pair in _read(folder / "memory.stat").splitlines())
-                yield float(int(numbers[0]) - int(numbers[1]) + int(files.get(cached, 0)))

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plategait.errors import InputError
+from plategait.input import LARGEST_TABLE, UnreadableError, plain_bytes
 from plategait.table import Column, read_table
 
 Array = NDArray[np.float64]
@@ -101,7 +102,6 @@ def read_angles(path: Path | str, *, y_down: bool = False) -> Angles:
 def _first_line(path: Path | str) -> str:
     """Headings; empty where the file cannot be read, which `read_table` then says."""
     try:
-        with open(path, encoding="utf-8-sig", errors="replace") as file:
-            return file.readline().lower()
-    except (OSError, ValueError):
+        return plain_bytes(path, LARGEST_TABLE).partition(b"\n")[0].decode("utf-8", errors="replace").lower()
+    except UnreadableError:
         return ""

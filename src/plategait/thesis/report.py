@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from plategait.errors import InputError
-from plategait.output import whole_file
+from plategait.output import whole_file, write_whole
 from plategait.thesis import published
 from plategait.thesis.item import Cell, Check, Comparison, Item, Table
 from plategait.thesis.study import Study
@@ -66,15 +66,13 @@ def write_report(study: Study, folder: Path | str) -> Path:
     for item in study.items:
         for stem, figure in item.figures:
             pictures[stem] = figure if isinstance(figure, bytes) else _png(figure)
-            with whole_file(folder / f"{stem}.png", (".png",), "--out") as temporary:
-                temporary.write_bytes(pictures[stem])
+            write_whole(pictures[stem], folder / f"{stem}.png", (".png",), "--out")
         for table in item.tables:
             _write_table(table, folder / f"{table.name}.csv")
         if item.comparisons:
             _write_table(_comparison_table(item), folder / f"{item.name}-comparison.csv")
     page = folder / "report.html"
-    with whole_file(page, (".html",), "--out") as temporary:
-        temporary.write_text(_page(study, pictures), encoding="utf-8")
+    write_whole(_page(study, pictures).encode(), page, (".html",), "--out")
     return page
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plategait.errors import InputError
+from plategait.input import LARGEST_JSON, read_text
 from plategait.output import whole_file
 
 Array = NDArray[np.float64]
@@ -85,17 +86,19 @@ def read_calibration(path: Path | str) -> Calibration:
     InputError
         When the file cannot be read or is not as said.
     """
+    allowed = "a JSON file that can be read"
+    text = read_text(path, LARGEST_JSON, "calibration", allowed, _EXAMPLE)
     try:
-        data: Any = json.loads(Path(path).read_text(encoding="utf-8-sig"))
-    except (OSError, ValueError):
-        raise InputError("calibration", str(path), "a JSON file that can be read", _EXAMPLE) from None
+        data: Any = json.loads(text)
+    except (ValueError, RecursionError):
+        raise InputError("calibration", f"{path} (no JSON)", allowed, _EXAMPLE) from None
     names = ("width", "height", "matrix", "distortion")
     if not isinstance(data, dict) or not set(names) <= set(data):
         raise InputError("calibration", str(path), f"an object with {', '.join(names)}", _EXAMPLE)
     try:
         numbers = [np.array(data[name], dtype=float) for name in names]
         return Calibration(int(numbers[0]), int(numbers[1]), numbers[2], numbers[3])
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError("calibration", str(path), "made of numbers", _EXAMPLE) from None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.errors import InputError
-from plategait.output import whole_file
+from plategait.output import check_writable, write_whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -105,9 +106,12 @@ def write_target_pdf(target: PlateTarget, path: Path | str) -> Path:
     """
     from matplotlib.backends.backend_pdf import PdfPages
 
-    with whole_file(path, (".pdf",)) as unfinished, PdfPages(unfinished, metadata={"Title": "plategait target"}) as pdf:
+    check_writable(path, (".pdf",))
+    content = io.BytesIO()
+    with PdfPages(content, metadata={"Title": "plategait target"}) as pdf:
         pdf.savefig(_plate_page(target))
         pdf.savefig(_object_page())
+    write_whole(content.getbuffer(), path, (".pdf",))
     return Path(path)
 
 

@@ -73,7 +73,12 @@ class Truth:
         return self.marker_share >= _VISIBLE
 
     def write(self, path: Path | str) -> None:
-        """Write one row per frame as CSV, in s, mm, deg and px."""
+        """Write one row per frame as CSV, in s, mm, deg and px, whole or not at all."""
+        with whole_file(path, (".csv",)) as unfinished:
+            self.write_rows(unfinished)
+
+    def write_rows(self, path: Path) -> None:
+        """Write the rows of `write` to a file that is published elsewhere."""
         pose = self.plate_pose * ([1e3] * 3 + [180 / math.pi] * 3)
         columns = {
             "time_s": self.time, "angle_deg": np.degrees(self.angle), "x_mm": 1e3 * self.x, "y_mm": 1e3 * self.y,
@@ -85,7 +90,7 @@ class Truth:
             "centre_seen": self.marker_share[:, 0], "rim_seen": self.marker_share[:, 1],
             "duplicate": self.duplicate,
         }  # fmt: skip
-        with whole_file(path, (".csv",)) as unfinished, open(unfinished, "w", newline="", encoding="utf-8") as file:
+        with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(columns)
             writer.writerows([f"{float(v):.7g}" for v in row] for row in zip(*columns.values(), strict=True))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 import re
 from collections.abc import Callable, Mapping
@@ -14,6 +13,7 @@ import numpy as np
 from plategait.curve import Curve
 from plategait.errors import InputError
 from plategait.estimate.result import SLIP_LIMIT
+from plategait.table import read_rows
 from plategait.vision.survey import Setup
 from plategait.vision.track import Track, track
 
@@ -64,22 +64,22 @@ def read_frequencies(path: Path | str) -> dict[str, float]:
         When it cannot be read or a frequency is no number above 0.
     """
     path = Path(path)
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            rows = list(csv.DictReader(file))
-    except (OSError, UnicodeDecodeError, csv.Error):
-        raise InputError("--frequencies", str(path), "a CSV file that can be read", "clip,frequency_hz") from None
-    if not rows or not {"clip", "frequency_hz"} <= set(rows[0]):
-        raise InputError("--frequencies", str(path), "a table of clip and frequency_hz", "clip,frequency_hz")
+    example = "clip,frequency_hz"
+    rows = [[cell.strip() for cell in row] for _, row in read_rows(path, "--frequencies", example)[0]]
+    heading = rows[0] if rows else []
+    if len(rows) < 2 or not {"clip", "frequency_hz"} <= set(heading):
+        raise InputError("--frequencies", str(path), "a table of clip and frequency_hz", example)
     known = {}
-    for row in rows:
+    for row in rows[1:]:
+        cells = dict(zip(heading, row, strict=False))
+        clip, given = cells.get("clip", ""), cells.get("frequency_hz", "")
         try:
-            value = float(row["frequency_hz"])
-        except (TypeError, ValueError):
+            value = float(given)
+        except ValueError:
             value = math.nan
         if not 0 < value < math.inf:
-            raise InputError(f"{path.name}, {row['clip']}", row["frequency_hz"], "a frequency above 0 Hz", "24.0")
-        known[Path(row["clip"]).stem] = value
+            raise InputError(f"{path.name}, {clip}", given, "a frequency above 0 Hz", "24.0")
+        known[Path(clip).stem] = value
     return known
 
 

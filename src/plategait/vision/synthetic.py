@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from plategait import observables
 from plategait.errors import InputError
-from plategait.output import check_writable
+from plategait.output import check_writable, whole_file
 from plategait.render.shots import Shots
 from plategait.scenario import Scenario
 from plategait.simulation import Simulation
@@ -135,7 +135,11 @@ def film(
     covered = covered_frames(len(times.time), look.hidden, look.seed)
     shares = np.zeros((len(times.time), 2))
     picture: NDArray[np.uint8] | None = None
-    with film_file(path, (camera.width, camera.height), fps, look.crf) as file:
+    # Both are there in the end, or neither.
+    with (
+        whole_file(truth_path(path), (".csv",)) as beside,
+        film_file(path, (camera.width, camera.height), fps, look.crf) as file,
+    ):
         for k, (stamp, moment) in enumerate(zip(times.time, times.pictured, strict=True)):
             if picture is None or stamp == moment:
                 picture, shares[k] = studio.picture(start + moment, covered[k])
@@ -144,8 +148,8 @@ def film(
             file.add(picture, stamp)
             if progress is not None:
                 progress((k + 1) / len(times.time))
-    truth = _truth(simulation, run, studio, times, start, shares)
-    truth.write(truth_path(path))
+        truth = _truth(simulation, run, studio, times, start, shares)
+        truth.write_rows(beside)
     return truth
 
 
