@@ -36,13 +36,14 @@ template <class R>
 struct Edge {
   Vec3<R> along;     // from the first node to the second, m
   Vec3<R> rate;      // d(along)/dt, m/s
-  R inverse_length;  // 1/m
+  R squared_length, inverse_length;  // m^2, 1/m
 };
 
 template <class R>
 PLATEGAIT_HD Edge<R> edge_between(Vec3<R> x0, Vec3<R> v0, Vec3<R> x1, Vec3<R> v1) {
   const Vec3<R> along = x1 - x0;
-  return {along, v1 - v0, reciprocal_sqrt(dot(along, along))};
+  const R squared = dot(along, along);
+  return {along, v1 - v0, squared, reciprocal_sqrt(squared)};
 }
 
 /// Angular velocity of an edge (no spin about itself), rad/s.
@@ -119,16 +120,16 @@ PLATEGAIT_HD R bending_energy(Edge<R> first, Edge<R> second, R k_b) {
 /// net moment, and a bent sheet that turns as a whole loses nothing.
 template <class R>
 PLATEGAIT_HD Vec3<R> bending_moment(Edge<R> first, Edge<R> second, Vec3<R> first_turning, Vec3<R> second_turning,
-                                    R k_b, R c_b, R step_over_mass, R& loss) {
+                                    R k_b, R c_b, R inverse_pitch, R& loss) {
   const BendAngle<R> a = bend_angle(first, second);
   const Vec3<R> sine = (first.inverse_length * second.inverse_length) * cross(first.along, second.along);
   // Rate of the angle, over sin θ. The floor is the square of an angle far below single precision's resolution.
   const R inverse_sine = reciprocal_sqrt(dot(sine, sine) + number<R>(1e-16));
   const R rate = dot(second_turning - first_turning, sine) * inverse_sine;
-  // Taken midway through the step, as the joint alone would have it: an edge that an impact has squeezed to a fraction
-  // of its length would otherwise be driven, not damped.
-  const R i = first.inverse_length, j = second.inverse_length;
-  const R damping = c_b * rate / (number<R>(1) + step_over_mass * c_b * (i * i + j * j + i * j));
+  // An edge that an impact has squeezed turns ever more easily, and an explicit damper would drive it: below half its
+  // length the damper is held to what it does there.
+  const R shorter = smaller(first.squared_length, second.squared_length);
+  const R damping = c_b * rate * smaller(number<R>(4) * inverse_pitch * inverse_pitch * shorter, number<R>(1));
   loss += damping * rate;
   // θ/sin θ = ratio / cos(θ/2).
   return (k_b * a.ratio * a.inverse_half_cosine + damping * inverse_sine) * sine;

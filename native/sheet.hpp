@@ -61,8 +61,8 @@ template <bool Bends, class R>
 PLATEGAIT_HD void pull_line(const State<R>& s, const int* nodes, int n, const R* parameter, R rest_length,
                             R& power) {
   const R k_c = parameter[AXIAL_STIFFNESS];
-  const R step_over_mass = parameter[TIME_STEP] / parameter[NODE_MASS];
-  const R c_c = implicit_damping(parameter[AXIAL_DAMPING], step_over_mass);
+  const R inverse_pitch = number<R>(1) / parameter[PITCH];
+  const R c_c = implicit_damping(parameter[AXIAL_DAMPING], parameter[TIME_STEP] / parameter[NODE_MASS]);
   const R k_b = parameter[BENDING_STIFFNESS], c_b = parameter[BENDING_DAMPING];
   const Vec3<R> zero = {number<R>(0), number<R>(0), number<R>(0)};
   Vec3<R> x = s.x.get(nodes[0]), v = s.v.get(nodes[0]);
@@ -77,7 +77,7 @@ PLATEGAIT_HD void pull_line(const State<R>& s, const int* nodes, int n, const R*
     if constexpr (Bends) {
       const Vec3<R> turning_next = turning_rate(next);
       if (i > 0) {
-        const Vec3<R> moment = bending_moment(edge, next, turning, turning_next, k_b, c_b, step_over_mass, power);
+        const Vec3<R> moment = bending_moment(edge, next, turning, turning_next, k_b, c_b, inverse_pitch, power);
         const Vec3<R> far = couple_force(next, moment), near = couple_force(edge, moment);
         force_next = force_next + far;
         force_behind = force_behind + near;

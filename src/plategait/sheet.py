@@ -127,8 +127,8 @@ class Sheet(Model):
         squared = (
             8 * self.axial_stiffness + per_pitch * (self.bending_stiffness + self.torsion_stiffness)
         ) / self.node_mass
-        # In steps of 1/ω the coefficients stay near 1, whatever the sheet.
-        unit = 1 / math.sqrt(squared)
-        axial, bending = axial * unit, bending * unit
-        cubic = [axial / 4, 1 + axial * bending / 2, axial + 2 * bending, -4]
+        # In steps of the limit that explicit dampers would have, all coefficients are of the order of 1.
+        unit = 4 / (axial + bending + math.sqrt((axial + bending) ** 2 + 4 * squared))
+        axial, bending, squared = axial * unit, bending * unit, squared * unit**2
+        cubic = [axial * squared / 4, squared + axial * bending / 2, axial + 2 * bending, -4]
         return unit * max(root.real for root in np.roots(cubic) if root.imag == 0)
