@@ -8,6 +8,9 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
+# A process for each of up to four cores; files stay whole, as some share what took long to make. One thread of BLAS in
+# each: more would wait for one another.
+PYTEST := OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
 SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 
 .PHONY: demo test test-kernels lint bench fuzz sanitize clean always
@@ -36,11 +39,11 @@ demo: .venv/installed
 	$(BIN)/python examples/demo.py
 
 test: .venv/installed-test
-	$(BIN)/python -m pytest
+	$(PYTEST)
 
 # Any x86-64 processor has Prescott's instructions, and hardly any in use chooses its kernel by itself.
 test-kernels: .venv/installed-test
-	OPENBLAS_CORETYPE=$(if $(filter Prescott,$(OPENBLAS_CORETYPE)),Haswell,Prescott) $(BIN)/python -m pytest -m linear_algebra
+	OPENBLAS_CORETYPE=$(if $(filter Prescott,$(OPENBLAS_CORETYPE)),Haswell,Prescott) $(PYTEST) -m linear_algebra
 
 lint: .venv/installed-lint
 	$(BIN)/ruff check .

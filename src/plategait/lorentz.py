@@ -167,14 +167,16 @@ def fit_lorentzian(
         raise _no_peak(f, y, fault)
     curve = _Curve(f, y, sds)
     best, cost = curve.best_of(curve.starts())
-    if fault := curve.fault(best, cost, ends_in_failure):
-        raise _no_peak(f, y, fault)
+    peak, f0, half_width = map(float, curve.in_units(best))
+    if fault := unseen_peak(f, y, f0, half_width, ends_in_failure=ends_in_failure):
+        raise _no_peak(f, y, fault, f0)
+    if curve.has_rival(cost, ends_in_failure):
+        raise _no_peak(f, y, "a curve that a straight line or an exponential fits better")
     threshold, given = _threshold(cost, len(f) - 3, sd is not None, confidence)
     bounds, method = curve.intervals(best, cost, threshold)
-    peak, f0, half_width = map(float, curve.in_units(best))
     peaks, centres, widths = ((float(min(ends)), float(max(ends))) for ends in curve.in_units(bounds))
     if fault := _unbounded(f, peaks, centres, widths, ends_in_failure):
-        raise _no_peak(f, y, fault)
+        raise _no_peak(f, y, fault, f0)
     return LorentzFit(
         peak=peak,
         f0_hz=f0,
@@ -243,10 +245,11 @@ def _unbounded(f: _Array, peaks: Interval, centres: Interval, widths: Interval, 
     return None
 
 
-def _no_peak(f: _Array, y: _Array, got: str) -> InputError:
-    top = f[np.argmax(np.abs(y))]
-    side = "beyond" if top == f.max() else "below" if top == f.min() else "around"
-    return InputError("rate", got, "a curve that shows its peak", f"adding frequencies {side} {top:g} Hz")
+def _no_peak(f: _Array, y: _Array, got: str, f0: float | None = None) -> InputError:
+    """Refusal that says where to measure more: about the peak that the line has, or else about the highest rate."""
+    near = float(f[np.argmax(np.abs(y))]) if f0 is None else float(np.clip(f0, f.min(), f.max()))
+    side = "beyond" if near == f.max() else "below" if near == f.min() else "around"
+    return InputError("rate", got, "a curve that shows its peak", f"adding frequencies {side} {near:.4g} Hz")
 
 
 class _Curve:
@@ -314,17 +317,13 @@ class _Curve:
         """Weighted sum of squares about the weighted mean."""
         return float(np.sum((self.w * (self.v - np.average(self.v, weights=self.w**2))) ** 2))
 
-    def fault(self, best: _Array, cost: float, ends_in_failure: bool) -> str | None:
-        """What speaks against a peak before any interval, if anything does: see `fit_lorentzian`."""
+    def has_rival(self, cost: float, ends_in_failure: bool) -> bool:
+        """Whether a line without a peak does as well as one of this cost, by an F test: see `fit_lorentzian`."""
         from scipy.special import fdtri
 
-        _, f0, half_width = map(float, self.in_units(best))
-        if fault := unseen_peak(self.f, self.y, f0, half_width, ends_in_failure=ends_in_failure):
-            return fault
         dof, rival_dof = len(self.x) - 3, len(self.x) - 2
-        if cost / dof > fdtri(dof, rival_dof, 1 - _SIGNIFICANCE) * self.monotone_cost(ends_in_failure) / rival_dof:
-            return "a curve that a straight line or an exponential fits better"
-        return None
+        least = self.monotone_cost(falling_only=ends_in_failure) / rival_dof
+        return bool(cost / dof > fdtri(dof, rival_dof, 1 - _SIGNIFICANCE) * least)
 
     def intervals(
         self, best: _Array, cost: float, threshold: float

@@ -201,7 +201,10 @@ def _named_directions(lattice: Lattice, rigid: _Array, spaces: list[_Array]) -> 
         # A strip has neither, nor a sheet of 2 × 2 nodes a saddle.
         if spaces and np.ptp(x) > 0 and np.ptp(y) > 0 and size > _FLAT * np.linalg.norm(ideal):
             ideals[name] = bent / size
-    held = {name: np.array([np.linalg.norm(basis.T @ ideal) for basis in spaces]) for name, ideal in ideals.items()}
+    held = {
+        name: np.array([np.linalg.norm(basis.T @ ideal) for basis in spaces], dtype=np.float64)
+        for name, ideal in ideals.items()
+    }
     found: dict[str, tuple[int, _Array]] = {}
     for name in sorted(held, key=lambda name: -round(float(held[name].max()), _ALIKE)):
         left = [basis @ (basis.T @ ideals[name]) for basis in spaces]

@@ -130,5 +130,10 @@ class Sheet(Model):
         # In steps of the limit that explicit dampers would have, all coefficients are of the order of 1.
         unit = 4 / (axial + bending + math.sqrt((axial + bending) ** 2 + 4 * squared))
         axial, bending, squared = axial * unit, bending * unit, squared * unit**2
-        cubic = [axial * squared / 4, squared + axial * bending / 2, axial + 2 * bending, -4]
-        return unit * max(root.real for root in np.roots(cubic) if root.imag == 0)
+        cubic = (axial * squared / 4, squared + axial * bending / 2, axial + 2 * bending, -4.0)
+        slope = (3 * cubic[0], 2 * cubic[1], cubic[2])
+        # Newton's rule on what rises and bends upward; the root lies between 1 and 2.
+        x = 2.0
+        for _ in range(8):
+            x -= float(np.polyval(cubic, x) / np.polyval(slope, x))
+        return unit * x
