@@ -210,7 +210,7 @@ def test_no_memory_for_a_thread_or_a_block_is_a_memory_error(room):
 
 @pytest.mark.filterwarnings("error")
 def test_an_energy_past_the_precision_is_a_status_not_a_number():
-    # A sheet 40,000 km above the plate that falls on it with a gravity of 1e30 m/s² has more energy than the 3e38 J that
+    # A gravity of 1e30 m/s² presses the sheet in by kilometres, where (3.1) would store more than the 3e38 J that
     # single precision holds.
     result = simulate(CHEESE.replace(gravity=1e30, duration=0.02))
     finite = all(np.isfinite(values).all() for values in result.recordings[0].channels.values())
