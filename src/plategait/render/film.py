@@ -22,6 +22,9 @@ from plategait.scenario import Scenario
 # Film time of one plate period, s: 15 frames at 30 fps, enough to tell sliding, walking and running apart by eye.
 PERIOD_ON_FILM = 0.5
 
+# What falls off the plate is shown falling for so long, s: a hand's breadth.
+FALL_SHOWN = 0.15
+
 
 def film(
     scenario: Scenario,
@@ -52,7 +55,7 @@ def film(
     seconds : float
         Length of the film; less where the run is shorter.
     until : float, optional
-        Time of the run at which the film ends, s; by default where the run failed, or its end.
+        Time of the run at which the film ends, s; by default where the run failed, or its end; what leaves the plate is shown falling.
     progress : callable, optional
         Called with the fraction done.
 
@@ -68,7 +71,7 @@ def film(
     if min(size) < 64 or size[0] % 2 or size[1] % 2:
         raise InputError("size", size, "two even numbers of pixels, 64 or more", "(1280, 720)")
     shots = Shots.of(scenario, recording, 1 / (fps * slower))
-    end = shots.end(scenario, recording, until)
+    end = shots.end(scenario, recording, until, fall=FALL_SHOWN)
     frames = max(1, round(min(seconds, (end - shots.time[0]) * slower) * fps))
     times = end - np.arange(frames)[::-1] / (fps * slower)
     with whole_file(path, (".mp4",)) as unfinished:

@@ -43,11 +43,11 @@ class Shots:
             )
         return cls(time, recording.snapshots[:last].astype(float), recording.plate_pose[:last])
 
-    def end(self, scenario: Scenario, recording: Recording, until: float | None) -> float:
-        """Time to stop at: as asked, or the failure, or the last snapshot."""
+    def end(self, scenario: Scenario, recording: Recording, until: float | None, fall: float = 0.0) -> float:
+        """Time to stop at: as asked, or the failure, or the last snapshot; `fall` later for what falls off the plate."""
         if until is None:
             failure = observe(scenario, recording).failure
-            until = math.inf if failure is None else failure.time
+            until = math.inf if failure is None else failure.time + (fall if failure.kind == "left the plate" else 0.0)
         elif not until > self.time[0]:
             raise InputError("until", until, "a time after the first snapshot, s", f"{self.time[-1]:g}")
         return min(float(self.time[-1]), until)
