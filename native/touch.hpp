@@ -78,7 +78,9 @@ PLATEGAIT_HD Touch<R> touch_plate(const Surface<R>& surface, const Features& fea
   }
   const R per_speed = number<R>(1) / (dt * point.inverse_mass);
   const Mask<R> stops = lost * lost > end_squared;
-  const R along_end = select(stops, per_speed, zero), along_mid = select(stops, zero, per_speed * lost * inverse_speed);
+  // Where the slip turns within the step, no more than turns it round: friction never drives.
+  const R turned = smaller(lost, number<R>(2) * speed);
+  const R along_end = select(stops, per_speed, zero), along_mid = select(stops, zero, per_speed * turned * inverse_speed);
   return {force, along_end * end_slip + along_mid * mid_slip};
 }
 

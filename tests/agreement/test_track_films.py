@@ -98,7 +98,13 @@ def test_no_confident_wrong_answer(tmp_path: Path) -> None:
 )  # fmt: skip
 def test_bending_objects(name: str, frequency: float, angle: float, gait: str, look: Look, tmp_path: Path) -> None:
     scenario = preset(name).scenario.replace(
-        **{"motion.frequency": frequency, "motion.angle": math.radians(angle), "duration": 3.2, "transient": None}
+        **{
+            "motion.frequency": frequency,
+            "motion.angle": math.radians(angle),
+            "duration": 3.2,
+            "transient": None,
+            "slip_limit": 0.02,
+        }
     )
     run = simulate(scenario, snapshot_interval=scenario.motion.period / 24)
     assert run.gait == gait

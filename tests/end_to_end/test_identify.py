@@ -95,7 +95,7 @@ def test_the_linear_method_and_its_refusal(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "named"),
     [
-        (("c.csv", "--noise", "0"), "--noise"), (("c.csv", "--beta", "2"), "friction_ratio"),
+        (("c.csv", "--noise", "0"), "--noise"), (("c.csv", "--beta", "2"), "--beta"),
         (("c.csv", "--free", "colour"), "--free"), (("c.csv", "--angle", "3 deg", "--angle", "12 deg"), "--angle"),
         (("none.csv",), "none.csv"), (("one.csv",), "at least 3"), (("c.csv", "--method", "magic"), "--method"),
         (("c.csv", "--confidence", "2"), "confidence"), (("c.csv", "--out", "e.txt"), "--out"),

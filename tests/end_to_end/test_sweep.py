@@ -96,7 +96,7 @@ def test_a_store_opens_with_one_line(whole):
 
 
 def test_status_and_plot(whole, tmp_path):
-    status = command("sweep", "--status", str(whole), "--store", str(whole), "--json", cwd=tmp_path)
+    status = command("sweep", "--status", str(whole), "--json", cwd=tmp_path)
     assert status.returncode == 0, status.stderr
     assert json.loads(status.stdout)["points_done"] == 38
     drawn = command("plot", str(whole), "--out", "map.png", cwd=tmp_path)

@@ -16,7 +16,9 @@ import typer
 from drawn_clips import FIDUCIAL, SIDE, Clip, camera_of, draw, homography_of
 from typer.testing import CliRunner
 
-from plategait.cli.track import read_size, target, track
+from plategait.cli.filmed import read_size
+from plategait.cli.target import target
+from plategait.cli.track import track
 from plategait.errors import InputError
 from plategait.vision import parallax
 from plategait.vision.frames import open_video

@@ -55,7 +55,8 @@ def film(
     seconds : float
         Length of the film; less where the run is shorter.
     until : float, optional
-        Time of the run at which the film ends, s; by default where the run failed, or its end; what leaves the plate is shown falling.
+        Time of the run at which the film ends, s; by default where the run failed, or its end; what leaves the
+        plate is shown falling.
     progress : callable, optional
         Called with the fraction done.
 

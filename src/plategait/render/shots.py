@@ -44,7 +44,7 @@ class Shots:
         return cls(time, recording.snapshots[:last].astype(float), recording.plate_pose[:last])
 
     def end(self, scenario: Scenario, recording: Recording, until: float | None, fall: float = 0.0) -> float:
-        """Time to stop at: as asked, or the failure, or the last snapshot; `fall` later for what falls off the plate."""
+        """Time to stop at: as asked, or the failure (`fall` after it fell off the plate), or the last snapshot."""
         if until is None:
             failure = observe(scenario, recording).failure
             until = math.inf if failure is None else failure.time + (fall if failure.kind == "left the plate" else 0.0)
