@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import platform
 import shutil
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -70,16 +71,10 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     import xarray
 
     longest = max(simulation.recordings, key=lambda r: len(r["time"]))
-    n_samples = len(longest["time"])
-
-    def padded(values: np.ndarray, length: int) -> np.ndarray:
-        out = np.full((length, *values.shape[1:]), np.nan, dtype=values.dtype)
-        out[: len(values)] = values
-        return out
 
     variables: dict[str, object] = {}
     for name, (meaning, unit) in _LONG_NAMES.items():
-        series = np.stack([padded(r[name], n_samples) for r in simulation.recordings])
+        series = _side_by_side([r[name] for r in simulation.recordings])
         variables[name] = (("run", "sample"), series, {"long_name": meaning, "units": unit})
     coordinates: dict[str, object] = {
         "time": (("sample",), longest["time"], {"long_name": "time", "units": "s"}),
@@ -87,8 +82,8 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     }
     if len(longest.snapshots):
         most = max(simulation.recordings, key=lambda r: len(r.snapshots))
-        shapes = np.stack([padded(r.snapshots, len(most.snapshots)) for r in simulation.recordings])
-        poses = np.stack([padded(r.plate_pose, len(most.snapshots)) for r in simulation.recordings])
+        shapes = _side_by_side([r.snapshots for r in simulation.recordings])
+        poses = _side_by_side([r.plate_pose for r in simulation.recordings])
         variables["position"] = (
             ("run", "snapshot", "node", "axis"),
             shapes,
@@ -123,6 +118,15 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
         "platform": f"{platform.system()} {platform.machine()}",
     }
     return xarray.Dataset(variables, coordinates, attributes)
+
+
+def _side_by_side(series: Sequence[np.ndarray]) -> np.ndarray:
+    """(n_runs, longest, …) series of every run; NaN where one ended early."""
+    longest = max(len(values) for values in series)
+    whole = np.full((len(series), longest, *series[0].shape[1:]), np.nan, dtype=series[0].dtype)
+    for row, values in zip(whole, series, strict=True):
+        row[: len(values)] = values
+    return whole
 
 
 def write_dataset(simulation: Simulation, path: Path | str) -> None:

@@ -199,7 +199,7 @@ def first_failure(
     ----------
     channels : mapping
         ``time``, ``centre_x``, ``centre_y`` (plate frame) and, where known, the area vector ``area_x/y/z`` over the
-        area at rest.
+        area at rest; whatever else it holds must be finite too.
     period, slip_limit : float
         s and m.
     plate_size : (length, width), optional
@@ -208,7 +208,8 @@ def first_failure(
         Whether the recording ends because the motion ceased to be finite.
     """
     time, x, y = channels["time"], channels["centre_x"], channels["centre_y"]
-    finite = np.isfinite(x) & np.isfinite(y)
+    # Squares, such as an energy, cease to be finite before the centre does.
+    finite = np.all([np.isfinite(values) for values in channels.values()], axis=0)
     last = int(np.argmin(finite)) if not finite.all() else len(time)
     signs: list[tuple[str, NDArray[np.bool_]]] = []
     if last > 0:

@@ -23,6 +23,9 @@ _Points = NDArray[np.float64]
 
 # Of a picture; it is held once, at two bytes each while it is read.
 MOST_PIXELS = 100_000_000
+# Of the grid over a sheet: laying out a lattice of as many takes two seconds, a step of it milliseconds.
+MOST_SQUARES = 250_000
+MOST_CORNERS = 1000
 # Those that Pillow reads by itself: some others start a program.
 _FORMATS = ("PNG", "JPEG", "BMP", "GIF", "TIFF", "WEBP", "PPM")
 _EDGE = 1e-9  # of a polygon's extent: what is nearer to an edge lies on it
@@ -85,6 +88,9 @@ class Polygon(Model):
 
     @model_validator(mode="after")
     def _at_least_a_triangle(self) -> Polygon:
+        if len(self.corners) > MOST_CORNERS:
+            raise InputError("corners", f"{len(self.corners)} corners", f"at most {MOST_CORNERS}",
+                             "leaving out corners that are nearer to each other than the pitch")  # fmt: skip
         corners = np.array(self.corners).reshape(-1, 2)
         spread = corners - corners[:1]
         if len(corners) < 3 or np.linalg.matrix_rank(spread, tol=_EDGE * np.abs(spread).max()) < 2:
@@ -221,8 +227,8 @@ def occupied_squares(outline: Disk | Ellipse | Rectangle | Polygon | Mask, pitch
         When no square lies inside, or the squares fall into pieces that only touch at corners or not at all.
     """
     columns, rows = (max(1, round(min(extent / pitch, 1e9))) for extent in outline.size())
-    if columns * rows > 4_000_000:
-        raise InputError("pitch", f"{1e3 * pitch:g} mm", "coarse enough for under 4 million squares",
+    if columns * rows > MOST_SQUARES:
+        raise InputError("pitch", f"{1e3 * pitch:g} mm", f"coarse enough for at most {MOST_SQUARES} squares",
                          f'"{1e3 * max(outline.size()) / 100:g} mm"')  # fmt: skip
     x = (np.arange(columns, dtype=np.float64) - (columns - 1) / 2) * pitch
     y = (np.arange(rows, dtype=np.float64) - (rows - 1) / 2) * pitch

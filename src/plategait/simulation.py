@@ -35,6 +35,7 @@ START_SPREAD = 1e-4
 START_TURN = math.radians(1)
 
 MOST_THREADS = 1000
+MOST_REPEATS = 10**5
 
 # Time between the shapes that films and files are made of, s: a fifth of a fast plate's quarter period.
 FILM_INTERVAL = 2e-3
@@ -290,7 +291,7 @@ def simulate_all(
 
     if engine not in ENGINES:
         raise InputError("engine", engine, f"one of {', '.join(ENGINES)}", "cpu")
-    whole = [("repeats", repeats, 1, 10**6), ("seed", seed, 0, 10**6)]
+    whole = [("repeats", repeats, 1, MOST_REPEATS), ("seed", seed, 0, 10**6)]
     whole += [("threads", threads, 1, MOST_THREADS)] if threads is not None else []
     for name, number, least, most in whole:
         if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or not least <= number <= most:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -147,7 +148,7 @@ def open_sweep(path: Path | str, *, damaged: bool = False) -> Campaign:
     """
     path = Path(path)
     check_path(path)
-    if not path.is_dir():
+    if not os.path.isdir(path):  # as `is_dir`, but for names too long
         raise InputError("store", str(path), "a store", f"plategait sweep {path.stem}.toml")
     store = Store(path)
     plan = store.plan

@@ -11,7 +11,7 @@ import typer
 from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
-from plategait.errors import InputError
+from plategait.errors import InputError, printable
 
 if TYPE_CHECKING:
     from typer.core import TyperArgument, TyperOption
@@ -91,7 +91,7 @@ def take_only(context: typer.Context, names: Collection[str], where: str, hint: 
 
 def usage_line(error: TyperException) -> str:
     """One line for what the parser refuses, with the help of the command that it was typed for."""
-    said = " ".join(error.format_message().split()).rstrip(".").replace("Value error, ", "")
+    said = printable(" ".join(error.format_message().split()).rstrip(".").replace("Value error, ", ""))
     context = getattr(error, "ctx", None)
     if quoted := _loose_unit(said.rpartition("(")[2].rstrip(")")):
         return f"{said}; try quotes: {quoted}"

@@ -31,12 +31,13 @@ def sweep(
     as_json: options.Json = False,
 ) -> None:
     """Run a campaign into a labelled store, or go on with one that was interrupted."""
+    beside = plan.parent / f"{plan.stem}.zarr"  # `with_suffix` takes no "/"
     if status:
         if store is not None:
             refuse(context, ["store"], "with --status", f"plategait sweep {store} --status")
         take_only(context, ["plan", "status", "as_json"], "with --status", f"plategait sweep {plan}")
-        return _status(plan.with_suffix(".zarr"), as_json)
-    path = store or plan.with_suffix(".zarr")
+        return _status(beside, as_json)
+    path = store or beside
     from plategait.campaign.run import sweep as run
 
     try:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -92,7 +93,7 @@ def clips_in(folder: Path | str) -> list[Path]:
         When it is no folder, or has none.
     """
     folder = Path(folder)
-    if not folder.is_dir():
+    if not os.path.isdir(folder):  # as `is_dir`, but for names too long
         raise InputError("FOLDER", str(folder), "a folder of clips", "clips/ with 14Hz.mp4, 16Hz.mp4, …")
     found = sorted(p for p in folder.iterdir() if p.suffix.lower() in CLIPS and not p.name.startswith("."))
     if not found:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import time as clock
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -117,7 +118,7 @@ def open_video(source: Path | str, *, fps: float | None = None, seconds: float |
         raise InputError("--fps", fps, "frames per second, above 0", "120")
     if seconds is not None and not seconds > 0:
         raise InputError("--seconds", seconds, "a time above 0", "10")
-    if str(source).isdigit() and not Path(source).exists():
+    if str(source).isdigit() and not os.path.exists(source):
         if fps is not None:
             raise InputError("--fps", fps, "left out with a camera, whose own times are used", "a file of its film")
         with _camera(int(str(source)), 10.0 if seconds is None else seconds) as video:
@@ -132,7 +133,7 @@ def _file(path: Path, fps: float | None, seconds: float | None) -> Iterator[Vide
     import av
     from av.error import FFmpegError
 
-    if not path.is_file():
+    if not os.path.isfile(path):  # as `is_file`, but for names too long
         raise InputError("video", str(path), "a video file that exists, or the number of a camera", _WORKS)
     try:
         container = av.open(str(path))
