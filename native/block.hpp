@@ -60,8 +60,8 @@ struct Block {
   Block(const Batch<T>& b, std::int64_t start)
       : batch(b), first(start), used(static_cast<int>(b.n_runs - start < W ? b.n_runs - start : W)),
         n_nodes(b.topology.n_nodes), nodes(9 * static_cast<std::size_t>(n_nodes)),
-        edge(b.topology.features.plate_edge ? 3 * static_cast<std::size_t>(n_nodes) : 0), terms(static_cast<std::size_t>(b.n_terms)),
-        state{{nodes.data, 1}, {nodes.data + 3 * n_nodes, 1}, {nodes.data + 6 * n_nodes, 1}, {edge.data, 1}},
+        edge(b.topology.features.plate_edge ? 6 * static_cast<std::size_t>(n_nodes) : 0), terms(static_cast<std::size_t>(b.n_terms)),
+        state{{nodes.data, 1}, {nodes.data + 3 * n_nodes, 1}, {nodes.data + 6 * n_nodes, 1}, {edge.data, 1}, {edge.data + 3 * n_nodes, 1}},
         trajectory{b.n_terms, b.term_dof, terms.data, b.knots, D(0.0), D(1.0)} {
     for (int q = 0; q < W; q++) load_run(q);
     lay_down(state, batch.topology, parameter, trajectory);

@@ -148,11 +148,27 @@ PLATEGAIT_HD void hold_beyond(const Crossing<R>& c, Memory<R>& a, Memory<R>& b) 
   a.now = select(c.there & !c.first_over & (b.sunk < beneath), larger(a.now, held), a.now);
 }
 
+/// Work that a node's share of the edge's force does because of what pushes the node after it in the same step, J: the
+/// velocity that a force's own work is reckoned by knows only what came before.
+template <class R>
+PLATEGAIT_HD R work_by_later(const State<R>& s, int k, Vec3<R> later, R dt, R inverse_mass) {
+  return number<R>(0.5) * dt * dt * inverse_mass * dot(s.held.get(k), later);
+}
+
+/// Add a force of the edge to a node.
+template <class R>
+PLATEGAIT_HD void hold_node(const State<R>& s, int k, Vec3<R> force, R dt, R inverse_mass, Tally<R>& tally) {
+  tally.contact_work -= work_by_later(s, k, force, dt, inverse_mass);
+  s.f.add(k, force);
+  s.held.add(k, force);
+}
+
 /// The edge carries the pieces of the lattice that cross it: forces on their nodes, and which legs touch.
 template <class R>
 PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R* parameter, const Surface<R>& surface,
                             const PlatePose<R>& plate, const PlatePose<R>& next, Tally<R>& tally, R& left, R& right) {
-  const R zero = number<R>(0), one = number<R>(1), inverse_mass = one / parameter[NODE_MASS];
+  const R zero = number<R>(0), one = number<R>(1), inverse_mass = one / parameter[NODE_MASS], dt = surface.time_step;
+  for (int k = 0; k < topology.n_nodes; k++) s.held.set(k, {zero, zero, zero});
   for (int i = 0; i < topology.n_axial_lines; i++) {
     Above<R> a, b = above_plate(s.x.get(topology.line_nodes[topology.line_start[i]]), plate, parameter);
     for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
@@ -174,10 +190,9 @@ PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R
       ground.normal = c.normal;
       const Touch<R> touch = touch_plate(surface, topology.features, point, ground, reach_of(c, ma, mb), c.share);
       const Vec3<R> force = touch.normal * c.normal - touch.drag;
-      s.f.add(ka, c.near * force);
-      s.f.add(kb, c.far * force);
-
-      tally_touch(touch, point, ground, surface.time_step, tally);
+      tally_touch(touch, point, ground, dt, tally);
+      hold_node(s, ka, c.near * force, dt, inverse_mass, tally);
+      hold_node(s, kb, c.far * force, dt, inverse_mass, tally);
       const R touches = select(touch.normal > zero, one, zero);
       const Mask<R> on_left = c.near * a.across + c.far * b.across > tally.centre_y;
       left = larger(left, select(on_left, touches, zero));

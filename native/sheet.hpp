@@ -45,7 +45,9 @@ struct Nodes {
 template <class R>
 struct State {
   Nodes<R> x, v, f;
-  Nodes<R> edge;  // what the edge of a finite plate remembers of each node (edge.hpp); not there where no plate ends
+  // What the edge of a finite plate remembers of each node, and its force on it in this step (edge.hpp); not there where
+  // no plate ends.
+  Nodes<R> edge, held;
 };
 
 /// What the step adds up for the observables since the last sample.

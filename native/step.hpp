@@ -19,8 +19,8 @@ PLATEGAIT_HD void meet_plate(const State<R>& s, const Topology& topology, const 
   const Surface<R> surface = surface_of(parameter);
   const R dt = parameter[TIME_STEP], inverse_mass = one / parameter[NODE_MASS];
   R left = zero, right = zero, touching = zero, sum_y = zero;
-  if (topology.features.plate_edge && see_edge(s, topology, parameter, plate))
-    meet_edge(s, topology, parameter, surface, plate, next, tally, left, right);
+  const bool held = topology.features.plate_edge && see_edge(s, topology, parameter, plate);
+  if (held) meet_edge(s, topology, parameter, surface, plate, next, tally, left, right);
   Tally<R> work{};
   for (int k = 0; k < topology.n_nodes; k++) {
     const Vec3<R> r = s.x.get(k) - plate.origin;
@@ -44,6 +44,7 @@ PLATEGAIT_HD void meet_plate(const State<R>& s, const Topology& topology, const 
     touching += touches;
     sum_y += across;
     tally_touch(touch, point, ground, dt, work);
+    if (held) work.contact_work -= work_by_later(s, k, from_plate, dt, inverse_mass);
   }
   tally.left += left;
   tally.right += right;
