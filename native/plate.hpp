@@ -63,11 +63,11 @@ struct PlatePose {
   Vec3<R> velocity, turning;       // m/s, rad/s
 };
 
-/// Smooth start: a quintic from 0 to 1 over `duration`, with its rate.
+/// Smooth start: a quintic from 0 to 1 over `duration`, with its rate; all at once where there is no duration.
 template <class R>
 PLATEGAIT_HD void smooth_start(R time, R duration, R& level, R& rate) {
-  const R inverse = number<R>(1) / (duration + number<R>(1e-12));
-  const R s = smaller(time * inverse, number<R>(1)), rest = number<R>(1) - s;
+  const R shortest = number<R>(1e-12), inverse = number<R>(1) / (duration + shortest);
+  const R s = select(duration > shortest, smaller(time * inverse, number<R>(1)), number<R>(1)), rest = number<R>(1) - s;
   level = s * s * s * (number<R>(10) - number<R>(15) * s + number<R>(6) * s * s);
   rate = number<R>(30) * s * s * rest * rest * inverse;
 }

@@ -22,6 +22,9 @@ Axis = Literal["x", "y", "z", "rx", "ry", "rz"]
 # Samples nearer to each other or larger than any plate's are slips, and their speeds leave floating point.
 SHORTEST_SAMPLE, LARGEST_SAMPLE = 1e-9, 1e9  # s; m or rad
 
+# A ramp no longer than this is none, s: the core adds as much to what it divides by.
+SHORTEST_RAMP = 1e-12
+
 
 class Wave(Model):
     """One sine on one degree of freedom: amplitude · sin(2π · ratio · f · t + phase)."""
@@ -136,6 +139,15 @@ def read_samples(path: Path, field: str = "samples") -> Samples:
     return Samples(**columns)
 
 
+def rotation_of(pose: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(…, 3, 3) rotation Rx Ry Rz of (…, 6) poses: its columns are the plate's axes as the world sees them."""
+    (cx, cy, cz), (sx, sy, sz) = np.moveaxis(np.cos(pose[..., 3:]), -1, 0), np.moveaxis(np.sin(pose[..., 3:]), -1, 0)
+    rows = [[cy * cz, -cy * sz, sy],
+            [cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy],
+            [sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy]]  # fmt: skip
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
 class PlateMotion(Model):
     """Motion of the plate. The short form is (4.1), (4.2): Θ(t) = −A_p sin ω_p t about the bar, X(t) = B_p sin ω_p t.
 
@@ -173,6 +185,18 @@ class PlateMotion(Model):
             for w in (*short, *self.waves)
             if w.amplitude != 0
         ]
+
+    def pose_at_start(self) -> NDArray[np.float64]:
+        """(6,) translations and rotations that the plate starts from, m and rad: none where it starts smoothly."""
+        pose = np.zeros(len(AXES))
+        if self.ramp > SHORTEST_RAMP:
+            return pose
+        for d, amplitude, _, phase in self.terms():
+            pose[d] += amplitude * math.sin(2 * math.pi * phase)
+        for d, axis in enumerate(AXES):
+            if self.samples is not None and (values := getattr(self.samples, axis)):
+                pose[d] += values[0]
+        return pose
 
     @property
     def shortest_period(self) -> float:

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from plategait.errors import InputError
+from plategait.motion import rotation_of
 from plategait.outline import Polygon
 from plategait.presets import preset
 from plategait.render.shots import Shots
-from plategait.render.stage import rotation_of
 from plategait.simulation import simulate
 from plategait.vision.film_writer import schedule
 from plategait.vision.look import Look

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.lattice import Lattice
+from plategait.motion import rotation_of
 from plategait.scenario import Scenario
 
 # A plate period holds this many samples, and none is further from the next than the longest interval.
@@ -74,7 +75,7 @@ class Run:
         return (self.samples - 1) // self.thinning + 1 if self.thinning else 0
 
     def start(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Node positions and velocities at the start: at rest, flat, where the plate carries the weight."""
+        """Node positions and velocities at the start: at rest, flat on the plate, which carries the weight."""
         if self.initial is not None:
             return self.initial
         s = self.scenario
@@ -82,7 +83,9 @@ class Run:
         rest = self.lattice.rest * s.sheet.pitch
         turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
         depth = s.contact.static_depth(s.sheet.node_mass, s.sheet.pitch, s.gravity)
-        positions = np.column_stack([rest @ turn + (x, y), np.full(len(rest), -depth)])
+        laid = np.column_stack([rest @ turn + (x, y), np.full(len(rest), -depth)])
+        pose, height = s.motion.pose_at_start(), (0.0, 0.0, s.motion.height)
+        positions = (laid + height) @ rotation_of(pose).T - height + pose[:3] if pose.any() else laid
         return positions, np.zeros_like(positions)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from plategait.motion import rotation_of
 from plategait.render.camera import Camera
 from plategait.render.skin import Faces, Skin, unit_vectors
 from plategait.scenario import Scenario
@@ -26,15 +27,6 @@ SLAB, BAR = 0.045, 0.03
 _SKY, _FLOOR, _SHADOW = (250, 251, 252), (216, 223, 230), (36, 46, 62)
 _PLATE, _GRID, _AXIS, _METAL = (203, 212, 221), (186, 196, 207), (112, 126, 143), (165, 172, 181)
 _AMBIENT, _DIFFUSE, _SHINE = 0.50, 0.56, 0.18
-
-
-def rotation_of(pose: Array) -> Array:
-    """(…, 3, 3) of Rx Ry Rz."""
-    (cx, cy, cz), (sx, sy, sz) = np.moveaxis(np.cos(pose[..., 3:]), -1, 0), np.moveaxis(np.sin(pose[..., 3:]), -1, 0)
-    rows = [[cy * cz, -cy * sz, sy],
-            [cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy],
-            [sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy]]  # fmt: skip
-    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
 
 
 class Stage:

@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.motion import rotation_of
 from plategait.render.skin import Skin, Spline, unit_vectors
-from plategait.render.stage import rotation_of
 from plategait.scenario import Scenario
 from plategait.vision.camera import Camera
 from plategait.vision.fiducials import CENTRE_MARKER, CORNER_SIGNS, RIM_MARKER, RIM_PLACE, PlateTarget, plate_target
