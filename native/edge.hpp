@@ -163,56 +163,70 @@ PLATEGAIT_HD void hold_node(const State<R>& s, int k, Vec3<R> force, R dt, R inv
   s.held.add(k, force);
 }
 
+/// Visit the pieces of the lattice that cross the edge in any lane: with their nodes, a and b, as the plate sees them.
+template <class R, class Visit>
+PLATEGAIT_HD void at_crossings(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate, Visit visit) {
+  for (int i = 0; i < topology.n_axial_lines; i++) {
+    Above<R> a, b = above_plate(s.x.get(topology.line_nodes[topology.line_start[i]]), plate, parameter);
+    for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
+      a = b;
+      b = above_plate(s.x.get(topology.line_nodes[j + 1]), plate, parameter);
+      const Crossing<R> c = edge_crossing(a, b, plate, parameter);
+      if (any_of(c.there)) visit(c, topology.line_nodes[j], topology.line_nodes[j + 1], a, b);
+    }
+  }
+}
+
 /// The edge carries the pieces of the lattice that cross it: forces on their nodes, and which legs touch.
 template <class R>
 PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R* parameter, const Surface<R>& surface,
                             const PlatePose<R>& plate, const PlatePose<R>& next, Tally<R>& tally, R& left, R& right) {
   const R zero = number<R>(0), one = number<R>(1), inverse_mass = one / parameter[NODE_MASS], dt = surface.time_step;
   for (int k = 0; k < topology.n_nodes; k++) s.held.set(k, {zero, zero, zero});
-  for (int i = 0; i < topology.n_axial_lines; i++) {
-    Above<R> a, b = above_plate(s.x.get(topology.line_nodes[topology.line_start[i]]), plate, parameter);
-    for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
-      const int ka = topology.line_nodes[j], kb = topology.line_nodes[j + 1];
-      a = b;
-      b = above_plate(s.x.get(kb), plate, parameter);
-      const Crossing<R> c = edge_crossing(a, b, plate, parameter);
-      if (!any_of(c.there)) continue;
-      Memory<R> ma = recall(s, ka), mb = recall(s, kb);
-      hold_beyond(c, ma, mb);
-      remember(s, ka, ma);
-      remember(s, kb, mb);
+  at_crossings(s, topology, parameter, plate, [&](const Crossing<R>& c, int ka, int kb, const Above<R>& a, const Above<R>& b) {
+    Memory<R> ma = recall(s, ka), mb = recall(s, kb);
+    hold_beyond(c, ma, mb);
+    remember(s, ka, ma);
+    remember(s, kb, mb);
 
-      const Vec3<R> r = c.near * s.x.get(ka) + c.far * s.x.get(kb) - plate.origin;
-      Vec3<R> pull = inverse_mass * (c.near * s.f.get(ka) + c.far * s.f.get(kb));
-      pull.z = pull.z - parameter[GRAVITY];
-      const Point<R> point = {c.near * s.v.get(ka) + c.far * s.v.get(kb), pull, (c.near * c.near + c.far * c.far) * inverse_mass};
-      Ground<R> ground = ground_at(plate, next, r);
-      ground.normal = c.normal;
-      const Touch<R> touch = touch_plate(surface, topology.features, point, ground, reach_of(c, ma, mb), c.share);
-      const Vec3<R> force = touch.normal * c.normal - touch.drag;
-      tally_touch(touch, point, ground, dt, tally);
-      hold_node(s, ka, c.near * force, dt, inverse_mass, tally);
-      hold_node(s, kb, c.far * force, dt, inverse_mass, tally);
-      const R touches = select(touch.normal > zero, one, zero);
-      const Mask<R> on_left = c.near * a.across + c.far * b.across > tally.centre_y;
-      left = larger(left, select(on_left, touches, zero));
-      right = larger(right, select(on_left, zero, touches));
-    }
-  }
+    const Vec3<R> r = c.near * s.x.get(ka) + c.far * s.x.get(kb) - plate.origin;
+    Vec3<R> pull = inverse_mass * (c.near * s.f.get(ka) + c.far * s.f.get(kb));
+    pull.z = pull.z - parameter[GRAVITY];
+    const Point<R> point = {c.near * s.v.get(ka) + c.far * s.v.get(kb), pull, (c.near * c.near + c.far * c.far) * inverse_mass};
+    Ground<R> ground = ground_at(plate, next, r);
+    ground.normal = c.normal;
+    const Touch<R> touch = touch_plate(surface, topology.features, point, ground, reach_of(c, ma, mb), c.share);
+    const Vec3<R> force = touch.normal * c.normal - touch.drag;
+    tally_touch(touch, point, ground, dt, tally);
+    hold_node(s, ka, c.near * force, dt, inverse_mass, tally);
+    hold_node(s, kb, c.far * force, dt, inverse_mass, tally);
+
+    const R touches = select(touch.normal > zero, one, zero);
+    const Mask<R> on_left = c.near * a.across + c.far * b.across > tally.centre_y;
+    left = larger(left, select(on_left, touches, zero));
+    right = larger(right, select(on_left, zero, touches));
+  });
+}
+
+/// Before the first step: a sheet that is laid across the edge hangs over it.
+template <class R>
+PLATEGAIT_HD void lay_across_edge(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate) {
+  at_crossings(s, topology, parameter, plate, [&](const Crossing<R>& c, int ka, int kb, const Above<R>&, const Above<R>&) {
+    Memory<R> a = recall(s, ka), b = recall(s, kb);
+    hold_beyond(c, a, b);
+    remember(s, ka, a);
+    remember(s, kb, b);
+  });
 }
 
 /// Energy that the contact along the edge stores, J.
 template <class R>
 PLATEGAIT_HD R edge_energy(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate) {
-  const R zero = number<R>(0);
-  R stored = zero;
-  for (int i = 0; i < topology.n_axial_lines; i++)
-    for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
-      const int ka = topology.line_nodes[j], kb = topology.line_nodes[j + 1];
-      const Crossing<R> c = edge_crossing(above_plate(s.x.get(ka), plate, parameter), above_plate(s.x.get(kb), plate, parameter), plate, parameter);
-      const R reach = larger(reach_of(c, recall(s, ka), recall(s, kb)), zero);
-      stored += contact_energy(reach, c.share * parameter[CONTACT_STIFFNESS]);
-    }
+  R stored = number<R>(0);
+  at_crossings(s, topology, parameter, plate, [&](const Crossing<R>& c, int ka, int kb, const Above<R>&, const Above<R>&) {
+    const R reach = larger(reach_of(c, recall(s, ka), recall(s, kb)), number<R>(0));
+    stored += contact_energy(reach, c.share * parameter[CONTACT_STIFFNESS]);
+  });
   return stored;
 }
 
