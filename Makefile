@@ -55,7 +55,7 @@ bench: .venv/installed
 	$(BIN)/python -m benchmarks
 
 fuzz: .venv/installed
-	$(BIN)/python -m benchmarks.fuzz --scenarios 12000 --commands 500 --seed 1
+	$(BIN)/python -m benchmarks.fuzz --scenarios 12000 --commands 500 --edges 1000 --seed 1
 
 # An environment of its own for the core with gcc's sanitizers, which borrows what .venv has installed. The sanitizers'
 # library must be loaded before Python; without leak checks, as an interpreter never frees all.
@@ -75,7 +75,7 @@ $(SANITIZED)/installed: $(SOURCES) .venv/installed-test
 
 sanitize: $(SANITIZED)/installed
 	$(SANITIZERS) $(SANITIZED)/bin/python -m pytest $(ENGINE_TESTS)
-	$(SANITIZERS) $(SANITIZED)/bin/python -m benchmarks.fuzz --scenarios 500 --commands 0 --seed 2 --memory 0
+	$(SANITIZERS) $(SANITIZED)/bin/python -m benchmarks.fuzz --scenarios 500 --commands 0 --edges 50 --seed 2 --memory 0
 
 clean:
 	rm -rf .venv build out

@@ -1,6 +1,6 @@
 """Random scenarios and commands: none may crash, hang, leave a traceback, or answer with nonsense.
 
-``python -m benchmarks.fuzz [--scenarios 12000] [--commands 500] [--seed 1]``, or ``make fuzz``. Each case is made from
+``python -m benchmarks.fuzz [--scenarios 12000] [--commands 500] [--edges 1000] [--seed 1]``, or ``make fuzz``. Each case is made from
 the seed and its own number, in a process that may take only so much memory and time. What goes wrong is printed with
 the scenario or the command; ``--only scenario:37`` runs that one again. Exit status 1 when anything did.
 """
@@ -107,6 +107,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scenarios", type=int, default=12_000)
     parser.add_argument("--commands", type=int, default=500)
+    parser.add_argument("--edges", type=int, default=1000, help="scenarios at a plate's edge or on a turntable")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--memory", type=float, default=4.0, help="GB that a process may take; 0 for no limit")
     parser.add_argument("--limit", type=float, default=30.0, help="seconds that a case may take")
@@ -117,7 +118,8 @@ def main() -> int:
         kind, _, index = told.only.partition(":")
         cases = [(kind, int(index))]
     else:
-        cases = [("scenario", i) for i in range(told.scenarios)] + [("command", i) for i in range(told.commands)]
+        numbers = zip(KINDS, (told.scenarios, told.commands, told.edges), strict=True)
+        cases = [(kind, i) for kind, number in numbers for i in range(number)]
     outcomes: Counter[tuple[str, str]] = Counter()
     problems, begun = 0, time.monotonic()
     for kind, index, case, given in run_cases(told.seed, cases, max(1, told.workers), told.memory, told.limit):

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from benchmarks.fuzz_edge import absurdities, edge_fields
 from benchmarks.fuzz_inputs import Draw, command, motion_fields, scenario_fields
 from plategait import cli
 from plategait.errors import InputError
@@ -24,10 +25,12 @@ from plategait.scenario import Scenario, read_scenario, write_scenario
 from plategait.simulation import Simulation, simulate_all
 
 LONGEST_LINE = 1000  # characters of a message
-NODE_STEPS = 400_000  # of a scenario: longer ones are cut, so that thousands take minutes
+# Of a scenario, and of one at an edge, which takes its time to fall: longer ones are cut, so that thousands take
+# minutes.
+NODE_STEPS, EDGE_NODE_STEPS = 400_000, 2_000_000
 LARGEST_SHEET = 20_000  # nodes; larger ones are described, not run
 SUBPROCESSES = 25  # one command in so many is run as its own process
-KINDS = ("scenario", "command")
+KINDS = ("scenario", "command", "edge")
 
 
 @dataclass
@@ -70,8 +73,8 @@ def try_scenario(seed: int, index: int, tell: Callable[[str], None]) -> Case:
     return Case("failed" if any(s.failed for s in found) else "ran", "; ".join(wrong))
 
 
-def _cut(scenario: Scenario) -> Scenario:
-    most = NODE_STEPS / scenario.sheet.lattice.n_nodes * scenario.dt
+def _cut(scenario: Scenario, node_steps: int = NODE_STEPS) -> Scenario:
+    most = node_steps / scenario.sheet.lattice.n_nodes * scenario.dt
     return scenario if scenario.duration <= most else scenario.replace(duration=most, transient=None)
 
 
@@ -103,6 +106,25 @@ def _unfit_message(message: str) -> str:
     if "\n" in message or len(message) > LONGEST_LINE or any(ord(c) < 32 for c in message):
         return f"not one short plain line: {message[:LONGEST_LINE]!r}"
     return ""
+
+
+def try_edge(seed: int, index: int, tell: Callable[[str], None]) -> Case:
+    """Run one sheet at the edge of a plate or on a turntable."""
+    draw = Draw(np.random.default_rng((seed, KINDS.index("edge"), index)))
+    draw.wildness = 0.0
+    fields = edge_fields(draw)
+    tell(pprint.pformat(fields, width=120))
+    try:
+        scenario = _cut(Scenario(**fields), EDGE_NODE_STEPS)
+        tell(write_scenario(scenario))
+        simulation = simulate_all([scenario], engine=draw.choice(["cpu", "cpu64"]), threads=1)[0]
+        wrong = [*_nonsense(simulation), *absurdities(simulation)]
+    except InputError as error:
+        return Case("refused", _unfit_message(str(error)))
+    except Exception:
+        return Case("raised", traceback.format_exc())
+    ended = simulation.failure.kind if simulation.failure else "stayed"
+    return Case(f"{ended}, energy open" if simulation.open_ledgers else ended, "; ".join(wrong))
 
 
 # Commands ------------------------------------------------------------------------------------------------------------
@@ -168,4 +190,4 @@ def _in_its_own_process(arguments: list[str]) -> tuple[int, str, str]:
     return done.returncode, done.stdout, done.stderr
 
 
-TRIALS = {"scenario": try_scenario, "command": try_command}
+TRIALS = {"scenario": try_scenario, "command": try_command, "edge": try_edge}
