@@ -18,6 +18,29 @@ CHEESE = preset("cheese").scenario
 RIGID = CHEESE.sheet.with_natural_frequency(320 * math.pi)
 
 
+def test_a_sheet_lies_on_a_plate_that_does_not_start_where_it_rests():
+    # Turned, lifted, tilted by less than friction holds (the angle of 0.22 rad against atan 0.75): it stays as laid.
+    pose = {"x": 0.01, "z": 0.005, "rx": 0.2, "ry": -0.1, "rz": 2.0}
+    samples = Samples(time=(0.0, 10.0), **{axis: (value, value) for axis, value in pose.items()})
+    motion = PlateMotion(angle=0.0, stroke=0.0, ramp=0.0, height="7 mm", samples=samples)
+    laid = simulate(CHEESE.replace(motion=motion, duration=0.3, **{"start.x": "5 mm", "start.y": "-10 mm"}))
+    (recording,), (observation,) = laid.recordings, laid.observations
+    # Within a micrometre: it creeps, and the contact carries cos 0.22 of the weight.
+    assert recording["centre_x"] == pytest.approx(0.005, abs=1e-6)
+    assert recording["centre_y"] == pytest.approx(-0.01, abs=1e-6)
+    assert recording["centre_z"] == pytest.approx(recording["centre_z"][0], abs=1e-6)
+    assert observation.failure is None
+    assert observation.energy.closes
+
+
+def test_a_plate_that_starts_at_the_end_of_its_swing_throws_nothing():
+    # A cosine without a smooth start: the sheet lies on the tilted plate, at rest as that is.
+    motion = PlateMotion(angle=0.0, stroke=0.0, ramp=0.0, waves=(Wave(axis="rx", amplitude=0.05, phase="90 deg"),))
+    swung = simulate(CHEESE.replace(motion=motion, duration=0.5, **{"motion.frequency": "14 Hz"}))
+    assert swung.failure is None
+    assert swung.observations[0].energy.imbalance < 0.01
+
+
 def test_a_sliding_rigid_disk_spins_up_as_2_3_says():
     # The plate turns about the bar at constant Θ'' while the disk slides along the bar: the moment (2.3) is
     # mu_k Θ'' Σ m y², against the inertia Σ m (x² + y²), twice as large: the disk spins up at mu_k Θ''/2.

@@ -280,6 +280,15 @@ def test_a_motion_that_ceases_to_be_finite_is_seen():
     assert (whole.kind, whole.time) == ("diverged", channels["time"][-1])
 
 
+def test_an_energy_that_ceases_to_be_finite_tells_the_time():
+    channels = drifting()
+    channels["kinetic_energy"] = np.where(channels["time"] < 1.5, 1.0, np.inf)
+    failure = first_failure(channels, PERIOD, 0.01, diverged=True)
+    assert failure is not None
+    assert failure.kind == "diverged"
+    assert failure.time == pytest.approx(1.5, abs=PERIOD / 24 + 1e-9)
+
+
 def test_a_motion_that_was_never_finite_is_seen():
     channels = drifting()
     channels["centre_y"][:] = np.inf

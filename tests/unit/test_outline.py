@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from plategait.errors import InputError
-from plategait.outline import Disk, Ellipse, Mask, Polygon, Rectangle, occupied_squares
+from plategait.outline import MOST_CORNERS, Disk, Ellipse, Mask, Polygon, Rectangle, occupied_squares
 
 DISK_ROWS = [4, 6, 8, 8, 8, 8, 6, 4]
 TRIANGLE = ((0.0, 0.0), (0.06, 0.0), (0.0, 0.06))
@@ -246,12 +246,21 @@ def test_too_coarse_a_pitch_is_refused_with_one_that_works():
     assert occupied_squares(SHAPES["L"], Disk(radius=caught.value.hint.strip('"')).radius).any()
 
 
-@pytest.mark.parametrize("pitch", [1e-9, 1e-5, 1e-320])
+@pytest.mark.parametrize("pitch", [1e-9, 1e-5, 1e-4, 1e-320])
 def test_too_fine_a_pitch_is_refused_with_one_that_works(pitch):
     with pytest.raises(InputError, match="coarse enough") as caught:
         occupied_squares(Disk(radius=0.04), pitch)
     assert caught.value.field == "pitch"
     assert occupied_squares(Disk(radius=0.04), Disk(radius=caught.value.hint.strip('"')).radius).sum() > 1000
+
+
+def test_more_corners_than_are_drawn_are_refused():
+    turns = np.arange(MOST_CORNERS + 1) * 2 * math.pi / (MOST_CORNERS + 1)
+    corners = tuple((0.04 * math.cos(t), 0.04 * math.sin(t)) for t in turns)
+    with pytest.raises(InputError, match="at most 1000") as caught:
+        Polygon(corners=corners)
+    assert caught.value.field == "corners"
+    assert Polygon(corners=corners[1:]).size()[0] == pytest.approx(0.08, rel=1e-4)
 
 
 def test_separate_pieces_are_refused():
