@@ -1,8 +1,9 @@
 """Random scenarios and commands: none may crash, hang, leave a traceback, or answer with nonsense.
 
 ``python -m benchmarks.fuzz [--scenarios 12000] [--commands 500] [--edges 1000] [--seed 1]``, or ``make fuzz``. Each
-case is made from the seed and its own number, in a process that may take only so much memory and time. What goes wrong is
-printed with the scenario or the command; ``--only scenario:37`` runs that one again. Exit status 1 when anything did.
+case is made from the seed and its own number, in a process that may take only so much memory and time. What goes wrong
+is printed with the scenario or the command; ``--only scenario:37`` runs that one again. Exit status 1 when anything
+did.
 """
 
 from __future__ import annotations

@@ -46,19 +46,8 @@ def test_the_fuzzer_sees_a_crash_a_hang_and_nonsense(tmp_path):
     # The worker is a new interpreter: it takes the spoilt trial from where it is started.
     (tmp_path / "sitecustomize.py").write_text(f"import sys\nsys.path.insert(0, {str(ROOT)!r})\n" + SPOILT)
     begun = time.monotonic()
-    done = fuzz(
-        "--scenarios",
-        "5",
-        "--commands",
-        "0",
-        "--edges",
-        "0",
-        "--limit",
-        "3",
-        "--workers",
-        "1",
-        PYTHONPATH=str(tmp_path),
-    )
+    few = ("--scenarios", "5", "--commands", "0", "--edges", "0", "--limit", "3", "--workers", "1")
+    done = fuzz(*few, PYTHONPATH=str(tmp_path))
     assert done.returncode == 1, done.stderr
     assert "scenario:1 of seed 1: lost; the process ended with status -11\nnumber 1" in done.stdout
     assert "scenario:2 of seed 1: lost; no answer within 3 s\nnumber 2" in done.stdout
