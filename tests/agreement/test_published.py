@@ -27,8 +27,16 @@ def curves():
 
 @pytest.mark.parametrize("case", F0, ids=lambda c: f"{c[0]}deg-{c[1]:g}pi")
 def test_peaks_lie_where_they_were_published(curves, case):
-    # Nothing is tuned per case; the largest deviation measured is 4.5 %.
+    # Nothing is tuned per case; the largest deviation measured is 4.7 %.
     assert curves[case].peak_frequency == pytest.approx(F0[case], rel=0.05)
+
+
+@pytest.mark.parametrize("case", F0, ids=lambda c: f"{c[0]}deg-{c[1]:g}pi")
+def test_fits_lie_below_the_published_fits(curves, case):
+    # Like with like: the published f0 are Lorentz fits. Ours are 0.5 to 5.9 % low, at 33π 8.8 % where 30 Hz runs off.
+    fit = curves[case].fit
+    assert fit is not None
+    assert -0.1 < fit.f0_hz / F0[case] - 1 < 0.01
 
 
 def test_stiffer_sheets_peak_at_higher_frequencies(curves):

@@ -16,8 +16,8 @@ from plategait.thesis.runs import Results, value_of
 LETTERS = "abcdefgh"
 WHY_WIDTHS = (
     "The soft sheets (3.5π, 10π) run off at A_p = 3 deg soon after their peak: their fits see one flank and come out "
-    "narrow, while 23π and 33π stay on and come out wide. Within each ω_n the width rises with α as published, but "
-    "the objects lie apart, which lowers R² of α on b/f0.",
+    "narrow, while 23π and 33π stay on and come out as published. Within each ω_n the width rises with α as "
+    "published, but the objects lie apart, which lowers R² of α on b/f0.",
     "At A_p = 12 deg our curves are about 15 % wider than the published ones for every object alike, so that α is "
     "still told apart, with another p2 and q2.",
 )

@@ -120,12 +120,12 @@ class Study:
                             "deviation": plain(c.deviation),
                             "spread": plain(c.spread),
                             "half_step": plain(c.half_step),
-                            "holds": c.holds,
+                            "holds": bool(c.holds),
                         }
                         for c in item.comparisons
                     ],
                     "checks": [
-                        {"what": c.what, "target": c.target, "measured": c.measured, "holds": c.holds}
+                        {"what": c.what, "target": c.target, "measured": c.measured, "holds": bool(c.holds)}
                         for c in item.checks
                     ],
                 }

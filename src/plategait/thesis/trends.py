@@ -106,9 +106,9 @@ def fig_regression(spec: Spec, results: Results) -> Item:
 
 
 _WHY_SLOPES = (
-    "f0 of the stiff sheets comes out 4 to 7 % low at A_p = 3 deg (docs/fidelity.md), so that f0 spans less than in "
+    "f0 of the stiff sheets comes out 3 to 7 % low at A_p = 3 deg (docs/fidelity.md), so that f0 spans less than in "
     "the source and the slope p1 is steeper.",
-    "At A_p = 12 deg our f0 falls by up to 0.5 Hz as α rises, where the published one does not: this lowers R².",
+    "At A_p = 12 deg our f0 moves by up to 0.6 Hz with α, where the published one does not: this lowers R².",
 )
 
 
