@@ -22,8 +22,9 @@ from plategait.curve import Curve, fit_curve
 from plategait.errors import InputError
 from plategait.estimate.linear import estimate_linear
 from plategait.estimate.parameters import unknowns
-from plategait.estimate.result import estimate_parameters, measured_as
+from plategait.estimate.result import estimate_parameters
 from plategait.presets import preset
+from plategait.protocol import measured_as
 from plategait.scenario import Scenario
 from plategait.simulation import START_SPREAD, START_TURN, simulate
 

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.curve import spin_curve
-from plategait.estimate.result import measured_as
 from plategait.presets import preset
+from plategait.protocol import measured_as
 
 OBJECTS = {
     3: ((3.5, 10.0, 23.0, 33.0), (24.23, 33.02, 36.87, 40.36, 47.73, 56.31), np.arange(13.0, 31.5, 1.0)),

@@ -21,7 +21,7 @@ _PERIODS = 4
 
 
 def _filmed(frequencies: list[float]) -> list[Simulation]:
-    base = Case(12).scenario.replace(duration=_DURATION, transient=0.4, slip_limit=0.02)
+    base = Case(12).scenario.replace(duration=_DURATION, transient=0.4)
     scenarios = [base.replace(**{"motion.frequency": f}) for f in frequencies]
     return simulate_all(scenarios, snapshot_interval=FILM_INTERVAL)
 
