@@ -8,8 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
+from plategait import published
 from plategait.simulation import FILM_INTERVAL, Simulation, simulate_all
-from plategait.thesis import draw, published
+from plategait.thesis import draw
 from plategait.thesis.cases import Case
 from plategait.thesis.item import Check, Comparison, Item, Spec, verdict
 from plategait.thesis.runs import Results
