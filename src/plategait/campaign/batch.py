@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point, seed_of
-from plategait.campaign.trajectories import known_channels, sample_count, snapshots, thinned
+from plategait.campaign.trajectories import sample_count, snapshots, thinned
+from plategait.engine.channels import SERIES
 from plategait.errors import InputError
 from plategait.simulation import Simulation, simulate_all, starts
 
@@ -82,9 +83,10 @@ def variables(sweep: Sweep, points: Sequence[Point]) -> tuple[Variable, ...]:
     record, duration = sweep.record, max(s.duration for s in scenarios)
     real = "float64" if sweep.engine == "cpu64" else "float32"
     found = list(SUMMARY)
-    known = known_channels()
     samples = {"time": sample_count(duration, record.interval)}
-    found += [Variable(f"series_{c}", real, *known[c], inner=samples) for c in record.channels]
+    found += [
+        Variable(f"series_{c}", real, SERIES[c].long_name, SERIES[c].unit, inner=samples) for c in record.channels
+    ]
     if record.snapshots is not None:
         nodes = {s.sheet.lattice.n_nodes for s in scenarios}
         if len(nodes) > 1:

@@ -11,6 +11,7 @@ from typing import Any, Literal
 from pydantic import Field, model_validator
 
 from plategait.campaign.parameters import Parameter, Value, apply, find_parameter
+from plategait.engine.channels import check_series
 from plategait.errors import InputError
 from plategait.model import Model
 from plategait.presets import PRESETS, as_scenario
@@ -90,9 +91,7 @@ class Sweep(Model):
         self.sample_ranges()
         if self.record.interval < 1e-4 or (self.record.snapshots or 1.0) < 1e-3:
             raise InputError("record", "an interval too short", "0.1 ms or more, 1 ms for snapshots", '"10 ms"')
-        from plategait.campaign.trajectories import check_channels
-
-        check_channels(self.record.channels)
+        check_series(self.record.channels, "record.channels")
         return self
 
     def sample_ranges(self) -> dict[str, tuple[float, float]]:
