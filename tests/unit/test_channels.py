@@ -43,5 +43,5 @@ def test_amounts_add_up_shares_average_and_states_are_interpolated():
 
 
 def test_no_channel_is_refused_with_the_nearest():
-    with pytest.raises(InputError, match='record.channels.*"friction_loss"'):
+    with pytest.raises(InputError, match=r'record\.channels.*"friction_loss"'):
         check_series(["rotation", "friction_los"], "record.channels")

@@ -12,6 +12,7 @@ from pydantic import Field, model_validator
 
 from plategait.campaign.parameters import Parameter, Value, apply, find_parameter
 from plategait.engine.channels import check_series
+from plategait.engine.engines import Engine
 from plategait.errors import InputError
 from plategait.model import Model
 from plategait.presets import PRESETS, as_scenario
@@ -53,7 +54,7 @@ class Sweep(Model):
     sample: Sample | None = Field(default=None, description="space-filling points")
     repeats: int = Field(default=1, ge=1, le=10**4, description="runs of each point, from different starts")
     seed: int = Field(default=0, ge=0, le=2**63 - 1, description="of the starts and of the sample", examples=["0"])
-    engine: Literal["cpu", "cpu64"] = Field(default="cpu", description="precision of the native core")
+    engine: Engine = Field(default="cpu", description="what runs it: the native core, or rigid tiles")
     batch: int | None = Field(default=None, ge=1, le=10**5, description="points written at a time", examples=["64"])
     record: Record = Field(default_factory=Record, description="what is kept beside the summary")
     nominal_natural_frequency: float | None = Field(

@@ -17,7 +17,7 @@ from plategait.curve import spin_curve
 from plategait.presets import preset
 from plategait.protocol import measured_as
 
-FREQUENCIES = {3: np.arange(13.0, 31.5, 1.0), 12: np.arange(9.0, 16.0, 0.5)}
+FREQUENCIES = {3: np.arange(13.0, 31.5, 1.0).tolist(), 12: np.arange(9.0, 16.0, 0.5).tolist()}
 """Of the plate, Hz, by A_p (deg)."""
 REPEATS = 4
 Array = NDArray[np.float64]
