@@ -22,8 +22,9 @@ from plategait.curve import Curve, fit_curve
 from plategait.errors import InputError
 from plategait.estimate.linear import estimate_linear
 from plategait.estimate.parameters import unknowns
-from plategait.estimate.result import estimate_parameters, measured_as
-from plategait.presets import preset
+from plategait.estimate.result import estimate_parameters
+from plategait.presets import nominal_natural_frequency, preset
+from plategait.protocol import measured_as
 from plategait.scenario import Scenario
 from plategait.simulation import START_SPREAD, START_TURN, simulate
 
@@ -104,7 +105,8 @@ def recover(number: int, protocol: str) -> list[dict[str, Any]]:
         if fit is not None:
             try:
                 guess = estimate_linear(fit, BASE, method=method, coefficients=coefficients)
-                row |= {"estimate": [guess.natural_frequency / math.pi, math.degrees(guess.friction_angle)],
+                own = BASE.sheet.natural_frequency / nominal_natural_frequency(BASE.sheet)
+                row |= {"estimate": [own * guess.natural_frequency / math.pi, math.degrees(guess.friction_angle)],
                         "refused": bool(guess.refused)}  # fmt: skip
             except InputError:
                 pass

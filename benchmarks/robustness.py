@@ -14,12 +14,11 @@ from typing import Any
 import numpy as np
 
 from benchmarks.recovery import BASE, NOISE, Outcome, curve_of, measurement, spread
-from plategait import observables
-from plategait.engine.tiles import TileModel, run_tiles
 from plategait.estimate.parameters import unknowns
 from plategait.estimate.result import estimate_parameters
 from plategait.outline import Disk
 from plategait.scenario import Scenario
+from plategait.simulation import simulate_all
 
 OBJECTS = (
     (5.0, 30.0, 0.53),
@@ -56,28 +55,12 @@ def larger(scenario: Scenario) -> Scenario:
 
 
 def measured_on_tiles(scenario: Scenario, generator: np.random.Generator, noise: float) -> dict[float, Outcome]:
-    """Rates of rigid tiles with a quarter of their rotary inertia, run-off by the same limit of slip."""
-    sheet, friction, motion = scenario.sheet, scenario.friction, scenario.motion
-    lattice, frequencies = sheet.lattice, np.linspace(13, 31, 12)
-    model = TileModel(
-        lattice.rest, lattice.axial_edges, node_mass=sheet.node_mass, k_b=sheet.bending_stiffness,
-        c_b=sheet.bending_damping, k_c=sheet.axial_stiffness, c_c=sheet.axial_damping, rotary_inertia=0.25,
-    )  # fmt: skip
-    recorded = run_tiles(
-        model, motion.angle, motion.stroke, frequencies, mu_s=friction.static, mu_k=friction.kinetic,
-        duration=scenario.duration, time_step=2e-5, plate_height=motion.height,
-    )  # fmt: skip
-    tilt, position = recorded["plate_angle"][..., None], recorded["position"]
-    x = position[..., 0] - recorded["plate_shift"][..., None]
-    y = np.cos(tilt) * position[..., 1] + np.sin(tilt) * (position[..., 2] + motion.height)
-    x0, y0 = lattice.rest.T * sheet.pitch
+    """Rates of rigid tiles, run-off by the same limit of slip."""
+    scenarios = [scenario.replace(**{"motion.frequency": float(f)}) for f in np.linspace(13, 31, 12)]
     points: dict[float, Outcome] = {}
-    for i, f in enumerate(frequencies):
-        angle = observables.rotation(x0 @ y[i].T - y0 @ x[i].T, x0 @ x[i].T + y0 @ y[i].T)
-        slipped = observables.slip(recorded["time"], x[i].mean(axis=1), y[i].mean(axis=1), 1 / f)
-        failed = not np.isfinite(slipped[-1]) or np.nanmax(slipped) > scenario.slip_limit
-        rate = observables.spin_rate(recorded["time"], angle, 1 / f, scenario.measured_from, scenario.duration).rate
-        points[float(f)] = (math.degrees(rate) * (1 + noise * generator.normal()), "slipped" if failed else "")
+    for s in simulate_all(scenarios, engine="tiles"):
+        rate = math.degrees(s.observations[0].spin.rate) * (1 + noise * generator.normal())
+        points[s.scenario.motion.frequency] = (rate, "slipped" if s.failed else "")
     return points
 
 

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from plategait.errors import InputError
 from plategait.model import Model
+from plategait.published import FRICTION_RATIO
 from plategait.units import ANGLE, Area, AxialDamping, AxialStiffness, Coefficient, Depth, Quantity, Speed
 
 
@@ -51,9 +52,8 @@ class Friction(Model):
     @model_validator(mode="after")
     def _kinetic_below_static(self) -> Friction:
         if self.kinetic > self.static:
-            raise InputError(
-                "kinetic", self.kinetic, f"at most the static coefficient {self.static:g}", f"{0.53 * self.static:.3g}"
-            )
+            raise InputError("kinetic", self.kinetic, f"at most the static coefficient {self.static:g}",
+                             f"{FRICTION_RATIO * self.static:.3g}")  # fmt: skip
         return self
 
     @property

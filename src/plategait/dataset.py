@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from plategait.engine.channels import CHANNELS
 from plategait.engine.recording import Run
 from plategait.errors import InputError
 from plategait.memory import available_memory, in_words
@@ -26,39 +27,8 @@ if TYPE_CHECKING:
 SUFFIXES = (".nc",)
 # The recordings in both of the core's and our own precision, the dataset, the file in memory while it grows.
 _COPIES = 4
-_LONG_NAMES = {
-    "centre_x": ("centre of mass along the bar, plate frame", "m"),
-    "centre_y": ("centre of mass across the bar, plate frame", "m"),
-    "centre_z": ("centre of mass above the plate", "m"),
-    "spin_cross": ("sum of X0 × p over the nodes", "m^2"),
-    "spin_dot": ("sum of X0 · p over the nodes", "m^2"),
-    "area_x": ("area vector over the area at rest, along the bar", "1"),
-    "area_y": ("area vector over the area at rest, across the bar", "1"),
-    "area_z": ("area vector over the area at rest, along the plate's normal", "1"),
-    "left_contact": ("share of the time since the last sample in which the left leg touches", "1"),
-    "right_contact": ("share of the time since the last sample in which the right leg touches", "1"),
-    "flight": ("share of the time since the last sample in which nothing touches", "1"),
-    "contact": ("mean share of the nodes that touch", "1"),
-    "bend_rms": ("root-mean-square angle of the bending joints", "rad"),
-    "height_low": ("lowest node above the plate", "m"),
-    "height_high": ("highest node above the plate", "m"),
-    "kinetic_energy": ("kinetic energy", "J"),
-    "gravity_energy": ("potential energy", "J"),
-    "axial_energy": ("energy of the axial joints", "J"),
-    "bending_energy": ("energy of the bending joints", "J"),
-    "torsion_energy": ("energy of the torsion joints", "J"),
-    "contact_energy": ("energy stored in the contact", "J"),
-    "joint_loss": ("energy lost in the joints since the last sample", "J"),
-    "contact_work": ("energy put into the contact since the last sample", "J"),
-    "friction_loss": ("energy lost to friction since the last sample", "J"),
-    "plate_work": ("work of the plate since the last sample", "J"),
-    "plate_x": ("plate position along the bar", "m"),
-    "plate_y": ("plate position across the bar", "m"),
-    "plate_z": ("plate height", "m"),
-    "plate_rx": ("plate rotation about the bar", "rad"),
-    "plate_ry": ("plate rotation about y", "rad"),
-    "plate_rz": ("plate rotation about z", "rad"),
-}
+# The time is a coordinate.
+_SERIES = [channel for channel in CHANNELS.values() if channel.name != "time"]
 
 
 def dataset_of(simulation: Simulation) -> xarray.Dataset:
@@ -73,9 +43,9 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     longest = max(simulation.recordings, key=lambda r: len(r["time"]))
 
     variables: dict[str, object] = {}
-    for name, (meaning, unit) in _LONG_NAMES.items():
-        series = _side_by_side([r[name] for r in simulation.recordings])
-        variables[name] = (("run", "sample"), series, {"long_name": meaning, "units": unit})
+    for channel in _SERIES:
+        series = _side_by_side([r[channel.name] for r in simulation.recordings])
+        variables[channel.name] = (("run", "sample"), series, {"long_name": channel.long_name, "units": channel.unit})
     coordinates: dict[str, object] = {
         "time": (("sample",), longest["time"], {"long_name": "time", "units": "s"}),
         "run": np.arange(len(simulation.recordings)),
@@ -144,7 +114,7 @@ def write_dataset(simulation: Simulation, path: Path | str) -> None:
 
 def dataset_bytes(run: Run) -> int:
     """Size of the arrays of `dataset_of` for a run that goes to its end; that of the file is nearly the same."""
-    return 8 * len(_LONG_NAMES) * run.samples + (12 * run.lattice.n_nodes + 8 * 6) * run.pictures
+    return 8 * len(_SERIES) * run.samples + (12 * run.lattice.n_nodes + 8 * 6) * run.pictures
 
 
 def check_room(run: Run, repeats: int, path: Path, field: str = "--out") -> None:

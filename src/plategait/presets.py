@@ -12,11 +12,9 @@ from plategait.contact import Contact, Friction
 from plategait.errors import InputError
 from plategait.motion import PlateMotion
 from plategait.outline import Disk
+from plategait.published import NOMINAL_NATURAL_FREQUENCY
 from plategait.scenario import Scenario, read_scenario
 from plategait.sheet import Sheet
-
-NOMINAL_NATURAL_FREQUENCY = 10 * math.pi
-"""ω_n that the dissertation gives Table 4.1's sheet, rad/s."""
 
 PLATE_HEIGHT = 0.007
 """Height of the plate's surface above the bar's axis, m. The source gives none; docs/fidelity.md says why this one."""
@@ -213,6 +211,11 @@ def preset(name: str) -> Preset:
     if not isinstance(name, str) or name not in _MAKERS:
         raise InputError("preset", name, f"one of {', '.join(PRESETS)}", _nearest(name))
     return _MAKERS[name]()
+
+
+def nominal_natural_frequency(sheet: Sheet) -> float:
+    """ω_n of a sheet as the dissertation counts it, rad/s: Table 4.1's is 10π, and not its dish mode's 10.32π."""
+    return sheet.natural_frequency * NOMINAL_NATURAL_FREQUENCY / _TABLE_4_1.natural_frequency
 
 
 def as_scenario(given: Scenario | Preset | Path | str, field: str = "scenario") -> Scenario:

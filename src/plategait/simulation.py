@@ -9,10 +9,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import numpy as np
 
+from plategait.engine import engines
+from plategait.engine.engines import Engine
 from plategait.engine.recording import Recording, Run
 from plategait.ensemble import Ensemble, mean_of_unfailed
 from plategait.errors import InputError
@@ -24,9 +26,6 @@ from plategait.units import Quantity
 
 if TYPE_CHECKING:
     import xarray
-
-Engine = Literal["cpu", "cpu64"]
-ENGINES: tuple[Engine, ...] = ("cpu", "cpu64")
 
 _INTERVAL = Quantity("s", "s", "0.002 s", at_least=0)
 
@@ -271,8 +270,8 @@ def simulate_all(
         Runs; the first starts where the scenario says, the others within a tenth of a millimetre and a degree of it.
     seed : int
         Of the starts.
-    engine : {"cpu", "cpu64"}
-        The native core in single or double precision.
+    engine : {"cpu", "cpu64", "tiles"}
+        The native core in single or double precision, or rigid tiles (`plategait.engine.engines`).
     snapshot_interval : float or str
         Time between recorded shapes, s; 0 records none.
     threads : int, optional
@@ -283,14 +282,12 @@ def simulate_all(
     Raises
     ------
     InputError
-        For an unknown engine, no scenario, a number out of range, or runs that need more memory than there is.
+        For an unknown engine or what it cannot do, no scenario, a number out of range, or runs that need more memory
+        than there is.
     KeyboardInterrupt
         When interrupted from the keyboard.
     """
-    from plategait.engine import cpu
-
-    if engine not in ENGINES:
-        raise InputError("engine", engine, f"one of {', '.join(ENGINES)}", "cpu")
+    row = engines.engine(engine)
     whole = [("repeats", repeats, 1, MOST_REPEATS), ("seed", seed, 0, 10**6)]
     whole += [("threads", threads, 1, MOST_THREADS)] if threads is not None else []
     for name, number, least, most in whole:
@@ -301,7 +298,7 @@ def simulate_all(
     offsets = starts(repeats, seed)
     runs = [Run(scenario, offset, interval) for scenario in chosen for offset in offsets]
     begun = time.perf_counter()
-    recordings = cpu.run(runs, "float64" if engine == "cpu64" else "float32", threads=threads, progress=progress)
+    recordings = row.load()(runs, threads=threads, progress=progress)
     wall = time.perf_counter() - begun
     total = sum(r.steps * r.dt for r in recordings)
     simulations = []

@@ -1,5 +1,4 @@
-"""Published spin curves that the engine is held against: f0 from Tables 5.1 to 5.8, worked back with section 5.6.1's
-p and q; all at B_p = 3 mm and a friction angle of 36.87 deg."""
+"""The objects of the published spin curves that the engine is held against, at the reference friction angle."""
 
 from __future__ import annotations
 
@@ -7,33 +6,25 @@ import math
 
 import numpy as np
 
-from plategait.presets import NOMINAL_NATURAL_FREQUENCY, preset
+from plategait import published
+from plategait.presets import preset
 from plategait.scenario import Scenario
 
 # (A_p in deg, ω_n over π): f0 in Hz.
-F0 = {
-    (3, 3.5): 23.528,
-    (3, 10.0): 25.060,
-    (3, 23.0): 27.383,
-    (3, 33.0): 29.002,
-    (12, 1.4): 11.782,
-    (12, 3.5): 12.012,
-    (12, 6.5): 12.784,
-    (12, 10.0): 13.414,
-}
+F0 = {(c.angle_deg, c.omega_pi): c.f0_hz for c in published.curves() if c.alpha_deg == published.REFERENCE_ALPHA}
 
 
 def scenario(angle_deg: float, omega_over_pi: float) -> Scenario:
-    """The cheese as the dissertation varies it: k_b scaled, mass kept, friction angle 36.87 deg, β = 0.53."""
+    """The cheese as the dissertation varies it: k_b scaled from the nominal 10π, mass kept, α = 36.87 deg, β = 0.53."""
     cheese = preset("cheese").scenario
-    sheet = cheese.sheet.with_natural_frequency(omega_over_pi * math.pi, nominal=NOMINAL_NATURAL_FREQUENCY)
-    static = math.tan(math.radians(36.87))
+    nominal = published.NOMINAL_NATURAL_FREQUENCY
+    static = math.tan(math.radians(published.REFERENCE_ALPHA))
     return cheese.replace(
         **{
-            "sheet": sheet,
+            "sheet": cheese.sheet.with_natural_frequency(omega_over_pi * math.pi, nominal=nominal),
             "motion.angle": math.radians(angle_deg),
             "friction.static": static,
-            "friction.kinetic": 0.53 * static,
+            "friction.kinetic": published.FRICTION_RATIO * static,
         }
     )
 

@@ -11,18 +11,15 @@ from published import F0, frequencies, scenario
 from plategait.curve import spin_curve
 from plategait.observables import GAITS
 from plategait.presets import preset
+from plategait.protocol import measured_as
 from plategait.simulation import simulate, simulate_all
 
 ORDER = {gait: i for i, gait in enumerate((*GAITS, "failed"))}
 
 
-# The source does not say how long it simulated. A limit of 20 mm in 2 s tells running off from wandering.
-STAYS = {"duration": 2.0, "slip_limit": 0.02}
-
-
 @pytest.fixture(scope="module")
 def curves():
-    return {case: spin_curve(scenario(*case).replace(**STAYS), frequencies(case[0]), repeats=4, seed=1) for case in F0}
+    return {case: spin_curve(measured_as(scenario(*case)), frequencies(case[0]), repeats=4, seed=1) for case in F0}
 
 
 @pytest.mark.parametrize("case", F0, ids=lambda c: f"{c[0]}deg-{c[1]:g}pi")

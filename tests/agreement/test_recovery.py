@@ -12,8 +12,9 @@ from plategait.estimate.judgement import check_fit
 from plategait.estimate.parameters import unknowns
 from plategait.estimate.planning import next_measurement
 from plategait.estimate.prediction import predict
-from plategait.estimate.result import estimate_parameters, measured_as
+from plategait.estimate.result import estimate_parameters
 from plategait.presets import preset
+from plategait.protocol import measured_as
 from plategait.simulation import simulate
 
 BASE = measured_as(preset("cheese").scenario)

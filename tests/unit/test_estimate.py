@@ -18,9 +18,9 @@ from plategait.estimate.judgement import judge
 from plategait.estimate.linear import estimate_linear, line
 from plategait.estimate.observations import Condition, observe_curves
 from plategait.estimate.parameters import FRICTION_ANGLE, NATURAL_FREQUENCY, unknowns
-from plategait.estimate.result import measured_as
 from plategait.lorentz import LorentzFit
 from plategait.presets import preset
+from plategait.protocol import measured_as
 
 pytestmark = pytest.mark.linear_algebra
 

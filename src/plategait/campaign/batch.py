@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point, seed_of
-from plategait.campaign.trajectories import known_channels, sample_count, snapshots, thinned
+from plategait.campaign.trajectories import sample_count, snapshots, thinned
+from plategait.engine.channels import SERIES
+from plategait.engine.engines import engine
 from plategait.errors import InputError
 from plategait.simulation import Simulation, simulate_all, starts
 
@@ -80,11 +82,11 @@ def variables(sweep: Sweep, points: Sequence[Point]) -> tuple[Variable, ...]:
     """
     scenarios = [sweep.at(point) for point in points]
     record, duration = sweep.record, max(s.duration for s in scenarios)
-    real = "float64" if sweep.engine == "cpu64" else "float32"
+    real = engine(sweep.engine).precision
     found = list(SUMMARY)
-    known = known_channels()
     samples = {"time": sample_count(duration, record.interval)}
-    found += [Variable(f"series_{c}", real, *known[c], inner=samples) for c in record.channels]
+    series = [SERIES[name] for name in record.channels]
+    found += [Variable(f"series_{c.name}", real, c.long_name, c.unit, inner=samples) for c in series]
     if record.snapshots is not None:
         nodes = {s.sheet.lattice.n_nodes for s in scenarios}
         if len(nodes) > 1:

@@ -11,6 +11,8 @@ from typing import Any, Literal
 from pydantic import Field, model_validator
 
 from plategait.campaign.parameters import Parameter, Value, apply, find_parameter
+from plategait.engine.channels import check_series
+from plategait.engine.engines import Engine
 from plategait.errors import InputError
 from plategait.model import Model
 from plategait.presets import PRESETS, as_scenario
@@ -52,7 +54,7 @@ class Sweep(Model):
     sample: Sample | None = Field(default=None, description="space-filling points")
     repeats: int = Field(default=1, ge=1, le=10**4, description="runs of each point, from different starts")
     seed: int = Field(default=0, ge=0, le=2**63 - 1, description="of the starts and of the sample", examples=["0"])
-    engine: Literal["cpu", "cpu64"] = Field(default="cpu", description="precision of the native core")
+    engine: Engine = Field(default="cpu", description="what runs it: the native core, or rigid tiles")
     batch: int | None = Field(default=None, ge=1, le=10**5, description="points written at a time", examples=["64"])
     record: Record = Field(default_factory=Record, description="what is kept beside the summary")
     nominal_natural_frequency: float | None = Field(
@@ -90,9 +92,7 @@ class Sweep(Model):
         self.sample_ranges()
         if self.record.interval < 1e-4 or (self.record.snapshots or 1.0) < 1e-3:
             raise InputError("record", "an interval too short", "0.1 ms or more, 1 ms for snapshots", '"10 ms"')
-        from plategait.campaign.trajectories import check_channels
-
-        check_channels(self.record.channels)
+        check_series(self.record.channels, "record.channels")
         return self
 
     def sample_ranges(self) -> dict[str, tuple[float, float]]:

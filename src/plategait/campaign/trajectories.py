@@ -2,36 +2,14 @@
 
 from __future__ import annotations
 
-import difflib
 import math
-from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plategait import observables
+from plategait.engine.channels import ROTATION, SERIES
 from plategait.engine.recording import Recording
-from plategait.errors import InputError
-
-# What is counted since the last sample: amounts add up, shares of the time average.
-AMOUNTS = ("joint_loss", "contact_work", "friction_loss", "plate_work")
-SHARES = ("left_contact", "right_contact", "flight", "contact")
-
-
-def known_channels() -> dict[str, tuple[str, str]]:
-    """Long name and unit of what can be recorded."""
-    from plategait.dataset import _LONG_NAMES
-
-    return {"rotation": ("rotation about the plate's normal", "rad"), **_LONG_NAMES}
-
-
-def check_channels(names: Sequence[str]) -> None:
-    """Refuse names of no channel."""
-    known = known_channels()
-    for name in names:
-        if name not in known:
-            close = difflib.get_close_matches(name, known, n=1) or ["rotation"]
-            raise InputError("record.channels", name, f"of {', '.join(known)}", f'"{close[0]}"')
 
 
 def sample_count(duration: float, interval: float) -> int:
@@ -46,19 +24,20 @@ def thinned(recording: Recording, name: str, interval: float, count: int) -> NDA
     averaged over it, so that no work and no contact is lost between two samples.
     """
     time, at = recording["time"], np.arange(count) * interval
-    if name == "rotation":
+    if name == ROTATION.name:
         series = observables.rotation(recording["spin_cross"], recording["spin_dot"])
     else:
         series = recording[name]
     beyond = at > time[-1] * (1 + 1e-9)
-    if name in AMOUNTS or name in SHARES:
-        steps = np.diff(time, prepend=0.0) if name in SHARES else np.ones(len(time))
-        total = np.interp(at, time, np.cumsum(series * steps))
-        values = np.diff(total, prepend=total[0]) / (interval if name in SHARES else 1.0)
-        if name in SHARES:
-            values[0] = series[0]
-    else:
+    kind = SERIES[name].kind
+    if kind == "state":
         values = np.interp(at, time, series)
+    else:
+        steps = np.diff(time, prepend=0.0) if kind == "share" else np.ones(len(time))
+        total = np.interp(at, time, np.cumsum(series * steps))
+        values = np.diff(total, prepend=total[0]) / (interval if kind == "share" else 1.0)
+        if kind == "share":
+            values[0] = series[0]
     values[beyond] = math.nan
     return values
 

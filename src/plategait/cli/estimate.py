@@ -14,6 +14,7 @@ from plategait.cli.command import refuse, take_only
 from plategait.errors import InputError
 from plategait.outline import Disk
 from plategait.output import PICTURES, check_outputs
+from plategait.protocol import USUAL, Protocol, measured_as
 from plategait.scenario import Scenario
 from plategait.units import ANGLE, ANGULAR_FREQUENCY, PLATE_ANGLE, Quantity
 
@@ -63,10 +64,12 @@ def estimate(
     noise: Annotated[
         str | None, typer.Option("--noise", help="Relative noise of the rates: 0.05 or 5%. Estimated if left out.")
     ] = None,
-    duration: Annotated[str, typer.Option("--duration", help="How long each frequency was observed.")] = "2 s",
+    duration: Annotated[
+        str, typer.Option("--duration", help="How long each frequency was observed.")
+    ] = f"{USUAL.duration:g} s",
     slip_limit: Annotated[
         str, typer.Option("--slip-limit", help="Slip at which the object counts as run off.")
-    ] = "20 mm",
+    ] = f"{1e3 * USUAL.slip_limit:g} mm",
     confidence: Annotated[str, typer.Option("--confidence", help="Of the intervals: 0.9 or 90%.")] = "90%",
     plan: Annotated[bool, typer.Option("--next", help="Say also what to measure next.")] = False,
     candidate: Annotated[
@@ -86,7 +89,6 @@ def estimate(
 ) -> None:
     """Read stiffness and friction off measured spin curves, with intervals."""
     from plategait.curve import read_curve
-    from plategait.estimate.result import measured_as
 
     check_outputs((out, (".toml",), "--out"), (plot, PICTURES, "--plot"))
     _refuse_idle(context, method)
@@ -96,8 +98,10 @@ def estimate(
     motions = _motions(base, angle or [], len(curves))
     if method != "posterior":
         return _linear(curves, base.replace(motion=motions[0]), method, coefficients, out, as_json)
-    base = measured_as(base, duration=_TIME.read(duration, "--duration"),
-                       slip_limit=_LENGTH.read(slip_limit, "--slip-limit"))  # fmt: skip
+    base = measured_as(
+        base,
+        Protocol(_TIME.read(duration, "--duration"), slip_limit=_LENGTH.read(slip_limit, "--slip-limit")),
+    )
     _posterior(
         curves, base, motions, out, plot, as_json, seed=seed,
         given={

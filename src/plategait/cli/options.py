@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from plategait import simulation
 from plategait.cli.command import refuse
+from plategait.engine import engines
 from plategait.fragment import overlay, read_fragment
 from plategait.presets import PRESETS, as_scenario
 from plategait.scenario import Scenario
@@ -42,7 +42,8 @@ Repeats = Annotated[
 ]
 Seed = Annotated[int, typer.Option("--seed", help="Of the different starts.")]
 Dt = Annotated[str | None, typer.Option("--dt", help='Time step: "1e-4 s". Chosen from the stiffness if left out.')]
-Engine = Annotated[simulation.Engine, typer.Option("--engine", help="cpu (single precision) or cpu64 (double).")]
+_ENGINES = ", ".join(f"{name} ({row.summary})" for name, row in engines.ENGINES.items())
+Engine = Annotated[engines.Engine, typer.Option("--engine", help=f"{_ENGINES}.")]
 Plot = Annotated[Path | None, typer.Option("--plot", help="Write a plot: .png, .pdf or .svg.")]
 With = Annotated[
     list[Path] | None,

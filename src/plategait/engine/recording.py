@@ -96,7 +96,7 @@ class Recording:
     Attributes
     ----------
     channels : mapping of str to (n_samples,) array
-        Time series by name, SI; see `native/parameters.hpp` for what each holds.
+        Time series by name, SI: those of `plategait.engine.channels`.
     snapshot_time : (n_snapshots,) array
         s.
     snapshots : (n_snapshots, n_nodes, 3) array

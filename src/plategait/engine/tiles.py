@@ -1,4 +1,4 @@
-"""Reference engine: rigid tiles hinged at their edges, as section 3.2.2 draws them, in plain NumPy.
+"""Physics of the reference engine: rigid tiles hinged at their edges, as section 3.2.2 draws them, in plain NumPy.
 
 Slow and independent of the native core, which puts the mass at nodes instead. Every lattice node is the centre of
 a rigid square tile with rotary inertia; neighbours are joined at the midpoint of their shared edge (Figs. 3.2, 3.3).
@@ -14,11 +14,14 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Coefficient = float | Array
 Friction = Literal["thesis", "adams"]
+
+# Rounds of the power method, after which the fastest rates stand still within a percent.
+_POWER_STEPS = 100
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,6 +95,12 @@ class TileModel:
         return m * (side**2 + d**2) / 12, m * side**2 / 6
 
     @property
+    def swivel(self) -> tuple[Coefficient, Coefficient]:
+        """Stiffness and damping of the joint about the sheet's normal: those of its edge, held along its length."""
+        lever = (self.pitch / 2) ** 2 / 3
+        return self.shear_ratio * self.k_c * lever, self.c_c * lever
+
+    @property
     def contact_points(self) -> Array:
         """(points, 3) contact points in the frame of a tile."""
         z = -self.thickness / 2 if self.contact_face == "lower" else 0.0
@@ -114,7 +123,7 @@ class TileModel:
 
 
 def tile_modes(model: TileModel) -> tuple[Array, Array]:
-    """Free out-of-plane modes at small angles, no plate and no damping.
+    """Free out-of-plane modes of one sheet at small angles, no plate and no damping.
 
     The stiff out-of-plane shear is taken as exact: deflections and slopes are projected onto the motions in which
     all shared edges stay together at their midpoints.
@@ -144,7 +153,8 @@ def tile_modes(model: TileModel) -> tuple[Array, Array]:
     scale = np.repeat([model.node_mass, I_x, I_x], n) ** -0.5
     _, size, rows = np.linalg.svd(gap * scale)
     basis = scale[:, None] * rows[np.sum(size > 1e-9 * size[0]) :].T
-    stiffness = float(model.k_b) * bend.T @ bend + float(model.k_t) * twist.T @ twist
+    k_b, k_t = np.asarray(model.k_b).item(), np.asarray(model.k_t).item()
+    stiffness = k_b * bend.T @ bend + k_t * twist.T @ twist
     square, vectors = np.linalg.eigh(basis.T @ stiffness @ basis)
     return np.sqrt(np.maximum(square, 0)), (basis @ vectors)[:n].T
 
@@ -153,7 +163,11 @@ def tile_modes(model: TileModel) -> tuple[Array, Array]:
 
 
 def _cross(a: Array, b: Array) -> Array:
-    return np.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+    product = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        np.multiply(a[j], b[k], out=product[i])
+        product[i] -= a[k] * b[j]
+    return product
 
 
 def _dot(a: Array, b: Array) -> Array:
@@ -183,10 +197,36 @@ def _turn(q: Array, angle: Array) -> Array:
 # --------------------------------------------------------------------------------------------------- physics
 
 
-def joint_forces(
-    model: TileModel, x: Array, v: Array, axes: tuple[Array, Array, Array], w: Array
-) -> tuple[Array, Array]:
-    """Force and moment of the joint units on every tile (section 3.2.2).
+@dataclass(frozen=True, eq=False)
+class Pull:
+    """What the joints do to the tiles.
+
+    Attributes
+    ----------
+    force, couple : (3, n, runs) arrays
+        On every tile, N and N m.
+    gap : (3, joints, runs) array
+        Between the edges, m.
+    stretch : (joints, runs) array
+        Part of the gap along the joint, m.
+    bend, swivel, twist : (joints, runs) arrays
+        Angles about the edge, the sheet's normal and the joint, rad.
+    rates : (6, joints, runs) array
+        Of the gap, the bend, the swivel and the twist.
+    """
+
+    force: Array
+    couple: Array
+    gap: Array
+    stretch: Array
+    bend: Array
+    swivel: Array
+    twist: Array
+    rates: Array
+
+
+def joint_forces(model: TileModel, x: Array, v: Array, axes: tuple[Array, Array, Array], w: Array) -> Pull:
+    """Forces and moments of the joint units on every tile (section 3.2.2).
 
     Force acts at the middle of the gap and moments come in pairs, so that joints carry no net force or moment.
     """
@@ -207,30 +247,79 @@ def joint_forces(
 
     # Compression along the normal; shear held by a penalty with the damping of the compression joint.
     k_c, c_c, ratio = model.k_c, model.c_c, model.shear_ratio
-    force = -(ratio * k_c * gap + c_c * opening) + (ratio - 1) * k_c * _dot(gap, normal) * normal
+    stretch = _dot(gap, normal)
+    force = -(ratio * k_c * gap + c_c * opening) + (ratio - 1) * k_c * stretch * normal
 
     # Bending by the angle between the tiles, true when large: θ / sin θ with sin θ = |a_i × a_j|.
-    bend = _cross(a_i, a_j)
-    sine, cosine = np.sqrt(_dot(bend, bend)), _dot(a_i, a_j)
-    bend *= np.where(sine > 1e-9, np.arctan2(sine, cosine) / np.maximum(sine, 1e-9), 1.0)
-    swivel_k, swivel_c = ratio * k_c * half**2 / 3, c_c * half**2 / 3
-    moment = -(model.k_b * _dot(bend, edge) + model.c_b * _dot(turning, edge)) * edge
-    moment -= (swivel_k * _dot(bend, across) + swivel_c * _dot(turning, across)) * across
+    fold = _cross(a_i, a_j)
+    sine, cosine = np.sqrt(_dot(fold, fold)), _dot(a_i, a_j)
+    fold *= np.where(sine > 1e-9, np.arctan2(sine, cosine) / np.maximum(sine, 1e-9), 1.0)
+    bend, swivel = _dot(fold, edge), _dot(fold, across)
+    rates = np.concatenate([opening, [_dot(turning, edge), _dot(turning, across), _dot(turning, normal)]])
+    swivel_k, swivel_c = model.swivel
+    moment = -(model.k_b * bend + model.c_b * rates[3]) * edge
+    moment -= (swivel_k * swivel + swivel_c * rates[4]) * across
+    twist = np.zeros_like(bend)
     if np.any(model.k_t) or np.any(model.c_t):
         twist = _dot(_cross(e_z[:, behind], e_z[:, ahead]), normal)
-        moment -= (model.k_t * twist + model.c_t * _dot(turning, normal)) * normal
+        moment -= (model.k_t * twist + model.c_t * rates[5]) * normal
 
     to_behind, to_ahead = model.gather
     total = (to_ahead - to_behind) @ force
     couple = to_ahead @ (_cross(arm_j, force) + moment) - to_behind @ (_cross(arm_i, force) + moment)
-    return total, couple
+    return Pull(total, couple, gap, stretch, bend, swivel, twist, rates)
 
 
-def friction_coefficient(law: Friction, slip: Array, mu_s: Array, mu_k: Array, V: float) -> Array:
-    """Coefficient of (3.2), or the cubic steps of the source's solver: 0 to μ_s at V, then to μ_k at 10 V."""
+def joint_energy(model: TileModel, pull: Pull) -> tuple[Array, Array, Array]:
+    """Energy stored in compression (and what holds the joints together), bending and torsion, (runs,) arrays, J."""
+    ratio, (swivel_k, _) = model.shear_ratio, model.swivel
+    held = ratio * _dot(pull.gap, pull.gap) - (ratio - 1) * pull.stretch**2
+    axial = 0.5 * (model.k_c * held + swivel_k * pull.swivel**2).sum(axis=0)
+    return axial, 0.5 * (model.k_b * pull.bend**2).sum(axis=0), 0.5 * (model.k_t * pull.twist**2).sum(axis=0)
+
+
+def joint_loss(model: TileModel, pull: Pull, after: Array, dt: float) -> Array:
+    """Energy that the dampers took over a step, (runs,) array, J, by the rates midway to those `after` it."""
+    gap, (bend, swivel, twist) = np.split((pull.rates * (pull.rates + after)).sum(axis=1), 2)
+    return dt / 2 * (model.c_c * gap.sum(axis=0) + model.c_b * bend + model.swivel[1] * swivel + model.c_t * twist)
+
+
+def stable_step(model: TileModel) -> Array:
+    """Longest time step of each run, (runs,) array, s: the joints of a flat sheet are stable under semi-implicit Euler.
+
+    From the highest natural frequency ω and the highest rate of decay λ, by the power method: ω² dt² + 2 λ dt < 4.
+    """
+    n, (I_x, I_z), small = len(model.rest), model.inertia, 1e-6
+    runs = max(np.size(c) for c in (model.k_c, model.c_c, model.k_b, model.c_b, model.k_t, model.c_t))
+    root = np.sqrt([model.node_mass] * 3 + [I_x, I_x, I_z])[:, None, None]
+    flat = np.zeros((3, n, runs))
+    flat[:2] = (model.rest.T * model.pitch)[..., None]
+    level = np.zeros((4, n, runs))
+    level[0] = 1
+
+    def highest(moves: bool) -> Array:
+        u = np.random.default_rng(0).normal(size=(6, n, runs))
+        growth = np.zeros(runs)
+        for _ in range(_POWER_STEPS):
+            u /= np.sqrt((u**2).sum(axis=(0, 1)))
+            shift, turn = np.split(small * u / root, 2)
+            if moves:
+                pull = joint_forces(model, flat + shift, 0 * flat, _axes(_turn(level, turn)), 0 * flat)
+            else:
+                pull = joint_forces(model, flat, shift, _axes(level), turn)
+            u = -np.concatenate([pull.force, pull.couple]) / (small * root)
+            growth = np.sqrt((u**2).sum(axis=(0, 1)))
+        return growth
+
+    square, decay = highest(True), highest(False)
+    return (np.sqrt(decay**2 + 4 * square) - decay) / square
+
+
+def friction_coefficient(law: Friction, slip: Array, mu_s: Array, mu_k: Array, V: float, ratio: float = 10.0) -> Array:
+    """Coefficient of (3.2), or the cubic steps of the source's solver: 0 to μ_s at V, then to μ_k at `ratio` V."""
     if law == "thesis":
         return np.where(slip < V, mu_s, mu_k)
-    rise, fall = np.minimum(slip / V, 1), np.clip((slip - V) / (9 * V), 0, 1)
+    rise, fall = np.minimum(slip / V, 1), np.clip((slip - V) / ((ratio - 1) * V), 0, 1)
     return mu_s * rise**2 * (3 - 2 * rise) + (mu_k - mu_s) * fall**2 * (3 - 2 * fall)
 
 
@@ -255,115 +344,6 @@ def plate_motion(time: float, A_p: Array, B_p: Array, omega: Array, ramp: float)
     return -A_p * wave, B_p * wave, -A_p * wave_rate, B_p * wave_rate
 
 
-# ------------------------------------------------------------------------------------------------------ runs
-
-
-def run_tiles(
-    model: TileModel,
-    A_p: ArrayLike,
-    B_p: ArrayLike,
-    frequency: ArrayLike,
-    *,
-    mu_s: ArrayLike = 0.75,
-    mu_k: ArrayLike = 0.40,
-    V: float = 0.1,
-    friction: Friction = "thesis",
-    duration: float = 3.0,
-    time_step: float = 4e-5,
-    sample_interval: float = 2e-3,
-    ramp_duration: float = 0.1,
-    plate_height: float = 0.0,
-    gravity: float = 9.81,
-    offset: ArrayLike = 0.0,
-) -> dict[str, Array]:
-    """Run a batch of plate motions side by side, each from the flat sheet at rest.
-
-    Parameters
-    ----------
-    A_p, B_p, frequency : floats or (runs,) arrays
-        Angular amplitude (rad), linear amplitude (m) and frequency (Hz) of the plate.
-    mu_s, mu_k : floats or (runs,) arrays
-        Static and kinetic friction coefficients.
-    V : float
-        Friction transition velocity, m/s.
-    friction
-        Law (3.2), or the smooth law of the source's solver.
-    duration, time_step, sample_interval, ramp_duration : floats
-        Seconds. Semi-implicit Euler; 4e-5 s resolves Table 4.1 with the default ``shear_ratio``.
-    plate_height : float
-        Height of the plate's surface above the axis of Θ, m; the surface at rest is z = 0.
-    gravity : float
-        m/s².
-    offset : (tiles, 3) or (runs, tiles, 3) array, optional
-        Displacement of the tiles at the start, m, for ensembles.
-
-    Returns
-    -------
-    dict of arrays
-        ``time`` (samples,); ``position`` (runs, samples, tiles, 3), tile centres in the world;
-        ``plate_angle`` and ``plate_shift`` (runs, samples), Θ and X.
-    """
-    given = (np.atleast_1d(np.asarray(a, dtype=float)) for a in (A_p, B_p, frequency, mu_s, mu_k))
-    amplitude, shake, hertz, rough, slippery = np.broadcast_arrays(*given)
-    runs, n, dt = len(hertz), len(model.rest), time_step
-    omega, m, (I_x, I_z) = 2 * np.pi * hertz, model.node_mass, model.inertia
-    points, (_, slip_mobility) = model.contact_points, model.contact_mobility
-
-    x = np.zeros((runs, n, 3))
-    x[..., :2] = model.rest * model.pitch
-    # At the height where the spring of (3.1) carries the weight.
-    x[..., 2] = -points[0, 2] - 1e-3 * (m * gravity / np.max(model.k_contact)) ** (1 / 2.2)
-    x = np.ascontiguousarray(np.moveaxis(x + np.asarray(offset), 0, -1).swapaxes(0, 1))
-    v, w, q = np.zeros_like(x), np.zeros_like(x), np.zeros((4, n, runs))
-    q[0] = 1
-    down = np.array([0, 0, -gravity])[:, None, None]
-
-    def per_inertia(couple: Array, normal: Array) -> Array:
-        return couple / I_x + (1 / I_z - 1 / I_x) * _dot(couple, normal) * normal
-
-    every, steps = round(sample_interval / dt), round(duration / dt)
-    kept: list[tuple[float, Array, Array, Array]] = []
-    for step in range(steps + 1):
-        time = step * dt
-        angle, shift, angle_rate, shift_rate = plate_motion(time, amplitude, shake, omega, ramp_duration)
-        if step % every == 0:
-            kept.append((time, x, angle, shift))
-        axes = _axes(q)
-        force, couple = joint_forces(model, x, v, axes, w)
-        couple -= (I_z - I_x) * _dot(w, axes[2]) * _cross(w, axes[2])
-
-        # Where the step would end without the plate; then the plate's impulses at the contact points.
-        v = v + dt * (force / m + down)
-        w = w + dt * per_inertia(couple, axes[2])
-        zero, sine, cosine = np.zeros(runs), np.sin(angle), np.cos(angle)
-        up, spin = np.stack([zero, -sine, cosine])[:, None], np.stack([angle_rate, zero, zero])[:, None]
-        impulse, angular_impulse = np.zeros_like(v), np.zeros_like(v)
-        for p in points:
-            arm = p[0] * axes[0] + p[1] * axes[1] + p[2] * axes[2]
-            r = x + arm
-            r[0] -= shift
-            r[2] += plate_height  # from the axis of Θ
-            u = v + _cross(w, arm) - _cross(spin, r)
-            u[0] -= shift_rate
-            speed_off = _dot(u, up)
-            pressed = normal_force(model, plate_height - _dot(r, up), speed_off, dt)
-            slip = u - speed_off * up
-            slip_speed = np.sqrt(_dot(slip, slip) + 1e-20)
-            # Friction may stop the slip of a step, never reverse it.
-            mu = friction_coefficient(friction, slip_speed, rough, slippery, V)
-            drag = np.minimum(mu * pressed, slip_speed / (dt * slip_mobility))
-            push = dt * (pressed * up - (drag / slip_speed) * slip)
-            impulse += push
-            angular_impulse += _cross(arm, push)
-        v = v + impulse / m
-        w = w + per_inertia(angular_impulse, axes[2])
-        x = x + dt * v
-        q = _turn(q, dt * w)
-
-    times, centres, angles, shifts = (np.array(a) for a in zip(*kept, strict=True))
-    return {
-        "time": times,
-        "position": centres.transpose(3, 0, 2, 1),
-        "plate_angle": angles.T,
-        "plate_shift": shifts.T,
-    }
+def contact_energy(model: TileModel, depth: Array) -> Array:
+    """Energy stored in the contact (3.1) at every contact point, J."""
+    return 1e-3 / 3.2 * model.k_contact / len(model.contact_points) * (1e3 * np.maximum(depth, 0)) ** 3.2

@@ -12,24 +12,26 @@ from typing import Any, Literal
 
 import numpy as np
 
+from plategait import published
 from plategait.errors import InputError
 from plategait.fragment import Fragment, Measured
 from plategait.lorentz import LorentzFit
 from plategait.outline import Disk, Outline
+from plategait.presets import nominal_natural_frequency
 from plategait.scenario import Scenario
 from plategait.simulation import plain
 
 Coefficients = Literal["published", "refitted"]
 Method = Literal["linear", "quadratic"]
-# The objects it was made from: 40 mm in radius, B_p = 3 mm; told apart no finer than this.
-RADIUS, STROKE, SLACK = 0.04, 0.003, 0.02
+# Objects and plates are told from those that it was made from no finer than this.
+SLACK = 0.02
 
 
 @dataclass(frozen=True)
 class Line:
     """One calibrated polynomial of a fit's number, lowest power first, its residual spread and where it holds.
 
-    ω_n in π rad/s over f0 (5.6), or α in deg over b/f0 (5.7).
+    ω_n in π rad/s over f0 (5.6), or α in deg over b/f0 (5.7). ω_n is nominal: see `plategait.published`.
     """
 
     powers: tuple[float, ...]
@@ -53,6 +55,8 @@ class Line:
 @dataclass(frozen=True)
 class LinearEstimate:
     """ω_n (rad/s) and α (rad) by (5.6) and (5.7), each with a standard deviation.
+
+    ω_n is nominal, as the source counts it: 3 % below that of the model's dish mode (`plategait.published`).
 
     Attributes
     ----------
@@ -87,11 +91,9 @@ class LinearEstimate:
         if self.refused:
             raise InputError("--out", "nothing that may be used", "a curve within the method's domain",
                              "--method posterior")  # fmt: skip
-        sheet = scenario.sheet.with_natural_frequency(self.natural_frequency)
-        k, k_sd = (
-            sheet.bending_stiffness,
-            2 * sheet.bending_stiffness * self.natural_frequency_sd / self.natural_frequency,
-        )
+        own = nominal_natural_frequency(scenario.sheet)
+        k = scenario.sheet.with_natural_frequency(self.natural_frequency, nominal=own).bending_stiffness
+        k_sd = 2 * k * self.natural_frequency_sd / self.natural_frequency
         mu, mu_sd = math.tan(self.friction_angle), self.friction_angle_sd / math.cos(self.friction_angle) ** 2
         return Fragment(
             {
@@ -104,15 +106,19 @@ class LinearEstimate:
 
 @cache
 def calibrations() -> Mapping[str, Any]:
-    """Coefficients as shipped: published ones, and those that `plategait.estimate.training` refits."""
+    """Coefficients that `plategait.estimate.training` refits, as shipped."""
     text = files("plategait.estimate").joinpath("data/coefficients.toml").read_text(encoding="utf-8")
     return tomllib.loads(text)
 
 
 def line(method: Method, coefficients: Coefficients, angle_deg: int, of: Literal["omega", "alpha"]) -> Line:
     """Calibrated line of one amplitude."""
+    if coefficients == "published":
+        known, number = published.regression(angle_deg), {"omega": 1, "alpha": 2}[of]
+        powers = (known[f"q{number}"].value, known[f"p{number}"].value)
+        return Line(powers, published.residual_sd(angle_deg, of), *published.domain(angle_deg, of))
     entry = calibrations()[coefficients][method][f"{angle_deg}deg"][of]
-    return Line(tuple(entry["powers"]), entry["sd"], entry["low"], entry["high"])
+    return Line(tuple(entry["powers"]), entry["sd"], *published.domain(angle_deg, of))
 
 
 def estimate_linear(
@@ -147,14 +153,14 @@ def estimate_linear(
     if coefficients not in known:
         raise InputError("--coefficients", coefficients, f"{' or '.join(known)} for --method {method}", "refitted")
     motion, outline = scenario.motion, scenario.sheet.outline
-    angle = next((a for a in (3, 12) if abs(math.degrees(motion.angle) / a - 1) < SLACK), None)
+    angle = next((a for a in published.AMPLITUDES if abs(math.degrees(motion.angle) / a - 1) < SLACK), None)
     if angle is None:
         raise InputError("--angle", f"{math.degrees(motion.angle):.3g} deg",
                          f"3 deg or 12 deg for --method {method}", '"3 deg", or --method posterior')  # fmt: skip
-    if abs(motion.stroke / STROKE - 1) > SLACK:
+    if abs(motion.stroke / published.STROKE - 1) > SLACK:
         raise InputError("--stroke", f"{1e3 * motion.stroke:.3g} mm", f"3 mm for --method {method}",
                          '"3 mm", or --method posterior')  # fmt: skip
-    if abs(getattr(outline, "radius", 0.0) / RADIUS - 1) > SLACK:
+    if abs(getattr(outline, "radius", 0.0) / published.RADIUS - 1) > SLACK:
         raise InputError("--radius", _named(outline), f"a disk of 40 mm for --method {method}",
                          '"40 mm", or --method posterior')  # fmt: skip
     omega_line, alpha_line = (line(method, coefficients, angle, of) for of in ("omega", "alpha"))

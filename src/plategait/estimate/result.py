@@ -24,8 +24,6 @@ from plategait.scenario import Scenario
 from plategait.simulation import plain
 from plategait.units import Quantity
 
-# How runs are made where the measurement's own duration and limit are not told: as in the regenerated dissertation.
-DURATION, TRANSIENT, SLIP_LIMIT = 2.0, 0.6, 0.02
 _SHARE = Quantity("", "", "0.9")
 
 
@@ -134,14 +132,6 @@ class Estimate:
         return Fragment(parameters, correlation, self.confidence, "plategait estimate, posterior of a spin curve")
 
 
-def measured_as(
-    scenario: Scenario, *, duration: float = DURATION, slip_limit: float = SLIP_LIMIT, transient: float = TRANSIENT
-) -> Scenario:
-    """Scenario run for as long, and failing at the same slip, as the measurement."""
-    run: Scenario = scenario.replace(duration=duration, transient=min(transient, 0.5 * duration), slip_limit=slip_limit)
-    return run
-
-
 def estimate_parameters(
     curves: Curve | Path | str | Sequence[Curve | Path | str],
     scenario: Scenario | Preset | Path | str,
@@ -163,7 +153,7 @@ def estimate_parameters(
         Measured. Several may have been measured at different plate amplitudes.
     scenario : Scenario, or what tells one
         A preset or its name, or a TOML file. The object's size, shape and mass, the plate's motion and the duration of
-        a run; its stiffness and friction are what is sought. See `measured_as`.
+        a run; its stiffness and friction are what is sought. See `plategait.protocol`.
     motions : sequence of PlateMotion, optional
         One for each curve; the scenario's by default.
     noise : float, optional

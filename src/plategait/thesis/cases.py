@@ -8,18 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from plategait.presets import NOMINAL_NATURAL_FREQUENCY, SOLVER_DAMPING, preset
+from plategait import published
+from plategait.presets import SOLVER_DAMPING, preset
+from plategait.protocol import REGENERATED
+from plategait.published import FRICTION_RATIO, NOMINAL_NATURAL_FREQUENCY, REFERENCE_ALPHA
 from plategait.scenario import Scenario
-from plategait.thesis import published
 
-REFERENCE_ALPHA = 36.87
-"""Friction angle of Table 4.1's cheese, atan 0.75, deg."""
-KINETIC_SHARE = 0.53
-"""β = μ_k/μ_s (section 4.5)."""
-
-DURATION = 1.6
-TRANSIENT = 0.6
-SLIP_LIMIT = 0.02
 # Below these the fit does not look: Hz by A_p. At 12 deg the roughest object only begins to slide at 8.4 Hz, where
 # B_p ω_p² = μ_s g, and a Lorentzian has no onset.
 FIT_FROM = {3: 13.0, 12: 9.0}
@@ -86,14 +80,14 @@ class Case:
         changes: dict[str, Any] = {
             "name": self.label,
             "motion.angle": math.radians(self.angle_deg),
-            "duration": DURATION,
-            "transient": TRANSIENT,
-            "slip_limit": SLIP_LIMIT,
+            "duration": REGENERATED.duration,
+            "transient": REGENERATED.transient,
+            "slip_limit": REGENERATED.slip_limit,
         }
         if self.thing == "cheese":
             nominal = None if self.variant == "dish mode" else NOMINAL_NATURAL_FREQUENCY
             static = math.tan(math.radians(self.alpha_deg))
-            share = 1.0 if self.variant == "one friction" else KINETIC_SHARE
+            share = 1.0 if self.variant == "one friction" else FRICTION_RATIO
             changes |= {
                 "sheet": base.sheet.with_natural_frequency(self.omega_pi * math.pi, nominal=nominal),
                 "friction.static": static,

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from plategait import theory
+from plategait import published, theory
 from plategait.presets import preset
-from plategait.thesis import draw, published
+from plategait.thesis import draw
 from plategait.thesis.cases import PANCAKE_ANGLES, Case
 from plategait.thesis.item import Check, Comparison, Item, Spec, Table, verdict
 from plategait.thesis.runs import Results

@@ -7,8 +7,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from plategait import published
 from plategait.observables import GAITS
-from plategait.thesis import draw, published
+from plategait.thesis import draw
 from plategait.thesis.cases import GAIT_ANGLES, STIFFNESSES, Case
 from plategait.thesis.item import Cell, Check, Comparison, Item, Spec, Table, verdict
 from plategait.thesis.runs import CaseRuns, Results

@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
+from plategait import published
 from plategait.lorentz import lorentzian
-from plategait.thesis import draw, published
+from plategait.thesis import draw
 from plategait.thesis.cases import GAIT_ANGLES, Case, fitted_cases, reference_cases
 from plategait.thesis.fits import published_fits, simulated_fits
 from plategait.thesis.item import Check, Comparison, Item, Spec, Table, verdict

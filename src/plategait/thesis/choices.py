@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.thesis import published
+from plategait import published
 from plategait.thesis.cases import FIT_FROM, VARIANTS, Case, fitted_cases
 from plategait.thesis.item import Cell, Item, Spec, Table
 from plategait.thesis.regressions import regress

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait import published
 from plategait.errors import InputError
-from plategait.thesis import published
+from plategait.published import PublishedCurve
 from plategait.thesis.cases import Case
-from plategait.thesis.published import PublishedCurve
 from plategait.thesis.regressions import Regression, regress
 from plategait.thesis.runs import Results, value_of
 

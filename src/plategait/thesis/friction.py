@@ -7,8 +7,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait import published
 from plategait.observables import GAITS
-from plategait.thesis import draw, published
+from plategait.thesis import draw
 from plategait.thesis.cases import FRICTION_ANGLES, REFERENCE_ALPHA, Case
 from plategait.thesis.item import Check, Comparison, Item, Spec, Table, verdict
 from plategait.thesis.runs import CaseRuns, Results

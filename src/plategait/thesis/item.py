@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from plategait.published import Number
 from plategait.thesis.cases import Case
-from plategait.thesis.published import Number
 from plategait.thesis.runs import Results
 
 if TYPE_CHECKING:

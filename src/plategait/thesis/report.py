@@ -11,9 +11,9 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from plategait import published
 from plategait.errors import InputError
 from plategait.output import whole_file, write_whole
-from plategait.thesis import published
 from plategait.thesis.item import Cell, Check, Comparison, Item, Table
 from plategait.thesis.study import Study
 from plategait.version import __version__

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
+from plategait import published
 from plategait.simulation import FILM_INTERVAL, Simulation, simulate_all
-from plategait.thesis import draw, published
+from plategait.thesis import draw
 from plategait.thesis.cases import Case
 from plategait.thesis.item import Check, Comparison, Item, Spec, verdict
 from plategait.thesis.runs import Results
@@ -21,7 +22,7 @@ _PERIODS = 4
 
 
 def _filmed(frequencies: list[float]) -> list[Simulation]:
-    base = Case(12).scenario.replace(duration=_DURATION, transient=0.4, slip_limit=0.02)
+    base = Case(12).scenario.replace(duration=_DURATION, transient=0.4)
     scenarios = [base.replace(**{"motion.frequency": f}) for f in frequencies]
     return simulate_all(scenarios, snapshot_interval=FILM_INTERVAL)
 

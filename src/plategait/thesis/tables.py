@@ -6,12 +6,13 @@ import math
 
 import numpy as np
 
+from plategait import published
 from plategait.presets import preset
-from plategait.thesis import draw, published
+from plategait.published import Number
+from plategait.thesis import draw
 from plategait.thesis.cases import Case
 from plategait.thesis.fits import ensemble_spread, published_curves, simulated_fits
 from plategait.thesis.item import Cell, Check, Comparison, Item, Spec, Table, verdict
-from plategait.thesis.published import Number
 from plategait.thesis.runs import Results, value_of
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from plategait.thesis import chapter4, friction, published, tables, trends
+from plategait import published
+from plategait.thesis import chapter4, friction, tables, trends
 from plategait.thesis.cases import Case
 from plategait.thesis.chapter5 import curve_targets, with_half_step
 from plategait.thesis.fits import ensemble_spread, simulated_fits

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from plategait.thesis import draw, published
+from plategait import published
+from plategait.thesis import draw
 from plategait.thesis.cases import DAMPINGS, Case, damping_variant, reference_cases
 from plategait.thesis.chapter5 import LETTERS, WHY_WIDTHS
 from plategait.thesis.fits import Fits, ensemble_spread, published_fits, simulated_fits

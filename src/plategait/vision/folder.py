@@ -13,7 +13,7 @@ import numpy as np
 
 from plategait.curve import Curve
 from plategait.errors import InputError
-from plategait.estimate.result import SLIP_LIMIT
+from plategait.protocol import USUAL
 from plategait.table import read_rows
 from plategait.vision.survey import Setup
 from plategait.vision.track import Track, track
@@ -36,7 +36,7 @@ class Clip:
     @property
     def failure(self) -> str:
         """What happened to the object, in words of the curve; empty where it stayed or nothing is known."""
-        if self.track is not None and self.track.drift > SLIP_LIMIT:
+        if self.track is not None and self.track.drift > USUAL.slip_limit:
             return "slipped"
         return ""
 

@@ -1,16 +1,31 @@
-"""What the dissertation prints, as data: each number with its page or table, and the slips among them."""
+"""What the dissertation prints, as data: each number with its page or table, and the slips among them.
+
+Its ω_n are nominal. It calls Table 4.1's sheet 10π rad/s, and makes the others by scaling that sheet's k_b; the model's
+dish mode with that k_b is 10.32π. So ``sheet.with_natural_frequency(ω_n, nominal=NOMINAL_NATURAL_FREQUENCY)`` of Table
+4.1's sheet is the object that it calls ω_n, and what (5.6) estimates is nominal too
+(`plategait.presets.nominal_natural_frequency`).
+"""
 
 from __future__ import annotations
 
 import csv
+import math
 import tomllib
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, Literal
 
 AMPLITUDES = (3, 12)
 """Angular amplitudes A_p of chapter 5, deg."""
+NOMINAL_NATURAL_FREQUENCY = 10 * math.pi
+"""ω_n that the dissertation gives Table 4.1's sheet, rad/s."""
+RADIUS, STROKE = 0.04, 0.003
+"""Radius of the objects of chapter 5 and the plate's linear amplitude B_p, m (Table 4.1, section 5.3.1)."""
+REFERENCE_ALPHA = 36.87
+"""Friction angle of Table 4.1's sheet, atan 0.75, deg."""
+FRICTION_RATIO = 0.53
+"""β = μ_k/μ_s of all objects of chapters 4 and 5 (section 4.5)."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +84,7 @@ class Slip:
 
 
 def _text(name: str) -> str:
-    return (files("plategait.thesis") / "data" / name).read_text(encoding="utf-8")
+    return (files("plategait.published") / "data" / name).read_text(encoding="utf-8")
 
 
 @cache
@@ -91,6 +106,22 @@ def curves() -> tuple[PublishedCurve, ...]:
 def regression(angle_deg: int) -> dict[str, Number]:
     """Coefficients and statistics of sections 5.4 to 5.6 and appendix B at one amplitude, by name."""
     return {name: Number(**entry) for name, entry in numbers()["regression"][str(angle_deg)].items()}
+
+
+def residual_sd(angle_deg: int, name: Literal["omega", "alpha"]) -> float:
+    """Residual standard deviation of (5.6), π rad/s, or (5.7), deg, to the tables' digits.
+
+    Not printed itself: of the errors in Tables 5.1 to 5.8, where a line takes two degrees of freedom.
+    """
+    attribute, real = {"omega": ("omega_estimate_pi", "omega_pi"), "alpha": ("alpha_estimate_deg", "alpha_deg")}[name]
+    residuals = [getattr(c, attribute) - getattr(c, real) for c in curves() if c.angle_deg == angle_deg]
+    return round(math.sqrt(sum(r * r for r in residuals) / (len(residuals) - 2)), 2)
+
+
+def domain(angle_deg: int, name: Literal["omega", "alpha"]) -> tuple[float, float]:
+    """Where the method holds at one amplitude: ω_n in π rad/s or α in deg."""
+    low, high = numbers()["domain"][str(angle_deg)][name]
+    return float(low), float(high)
 
 
 @cache
