@@ -75,7 +75,7 @@ $(SANITIZED)/installed: $(SOURCES) .venv/installed-test
 
 sanitize: $(SANITIZED)/installed
 	$(SANITIZERS) $(SANITIZED)/bin/python -m pytest $(ENGINE_TESTS)
-	$(SANITIZERS) $(SANITIZED)/bin/python -m benchmarks.fuzz --scenarios 500 --commands 0 --edges 50 --seed 2 --memory 0
+	$(SANITIZERS) $(SANITIZED)/bin/python -m benchmarks.fuzz --scenarios 500 --commands 0 --edges 50 --seed 2 --memory 0 --limit 300
 
 clean:
 	rm -rf .venv build out
