@@ -72,3 +72,7 @@ class Friction(Model):
         if not 0 <= alpha < math.pi / 2:
             raise InputError("angle", angle, "at least 0 deg and below 90 deg", '"36.87 deg"')
         return self.replace(static=math.tan(alpha), kinetic=math.tan(alpha) * self.ratio)
+
+    def with_ratio(self, ratio: float) -> Friction:
+        """Same static friction at another β = μ_k/μ_s, 0 to 1."""
+        return self.replace(kinetic=self.static * ratio)

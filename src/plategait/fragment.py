@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.errors import InputError
-from plategait.model import Model, quantity_of
 from plategait.output import whole_file
+from plategait.parameters import find_parameter, kinetic_follows, with_values
 from plategait.scenario import Scenario, read_toml
 from plategait.units import Quantity, show
 
@@ -64,7 +64,7 @@ class Fragment:
 
     def apply(self, scenario: Scenario) -> Scenario:
         """Scenario with the measured values."""
-        return _changed(scenario, {name: m.value for name, m in self.parameters.items()})
+        return _laid_over(scenario, {name: m.value for name, m in self.parameters.items()})
 
     def draw(self, scenario: Scenario, generator: np.random.Generator) -> Scenario:
         """Scenario with one draw of the measured values, each log-normal about its value with its sd, correlated."""
@@ -75,17 +75,15 @@ class Fragment:
         for name, z in zip(names, normal, strict=True):
             m = self.parameters[name]
             drawn[name] = m.value * math.exp(z * math.log1p(m.sd / abs(m.value))) if m.value else 0.0
-        return _changed(scenario, drawn)
+        return _laid_over(scenario, drawn)
 
 
-def _changed(scenario: Scenario, values: dict[str, float]) -> Scenario:
-    static = values.get("friction.static")
-    if static is not None and "friction.kinetic" not in values:
-        values = values | {"friction.kinetic": static * scenario.friction.ratio}
-    elif static is not None:
-        values = values | {"friction.kinetic": min(values["friction.kinetic"], static)}
-    changed: Scenario = scenario.replace(**values)
-    return changed
+def _laid_over(scenario: Scenario, measured: dict[str, float]) -> Scenario:
+    values = kinetic_follows(measured, scenario)
+    if "friction.static" in values:
+        # Drawn each by itself, the kinetic one may come out above.
+        values["friction.kinetic"] = min(values["friction.kinetic"], values["friction.static"])
+    return with_values(scenario, values)
 
 
 def overlay(
@@ -191,16 +189,9 @@ def _quantity(name: str) -> Quantity:
     InputError
         When no scenario has a number of that name.
     """
-    model: type[Model] = Scenario
-    *path, last = name.split(".")
-    for part in path:
-        inner = model.model_fields.get(part)
-        if inner is None or not (isinstance(inner.annotation, type) and issubclass(inner.annotation, Model)):
-            raise InputError(name, "nothing known by that name", "a number of a scenario", "sheet.bending_stiffness")
-        model = inner.annotation
-    quantity = quantity_of(model, last)
+    quantity = find_parameter(name).quantity
     if quantity is None:
-        raise InputError(name, "nothing known by that name", "a number of a scenario", "sheet.bending_stiffness")
+        raise InputError(name, "a word", "a number of a scenario", "sheet.bending_stiffness")
     return quantity
 
 

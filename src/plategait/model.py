@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from typing import TYPE_CHECKING, Any, ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import ErrorDetails
@@ -37,33 +38,77 @@ class Model(_Fields):
             raise _input_error(type(self), first) from None
 
     def replace(self, **changes: Any) -> Any:
-        """Copy with some fields changed, validated anew. Dotted names reach inside: ``{"sheet.pitch": "5 mm"}``."""
+        """Copy with some fields changed, validated anew.
+
+        Dotted names reach inside: ``{"sheet.pitch": "5 mm"}``, ``{"motion.waves.0.phase": "90 deg"}``.
+        """
+        return type(self)(**self.fields_with(changes))
+
+    def fields_with(self, changes: Mapping[str, Any]) -> dict[str, Any]:
+        """All fields with some changed, each part validated anew but not yet the whole; names as in `replace`."""
         fields = {name: getattr(self, name) for name in type(self).model_fields}
-        fields |= {name: value for name, value in changes.items() if "." not in name}
-        inside: dict[str, dict[str, Any]] = {}
-        for name, value in changes.items():
-            head, dot, rest = name.partition(".")
-            if dot:
-                inside.setdefault(head, {})[rest] = value
+        own, inside = _by_part(changes)
+        fields |= own
         for name, nested in inside.items():
             if name not in type(self).model_fields:
                 raise _unknown_field(type(self), name)
-            part = fields[name]
-            if not isinstance(part, Model):
-                rest, value = next(iter(nested.items()))
-                raise InputError(f"{name}.{rest}", value, f"left out, as {name} has no fields here",
-                                 f"{name} = {_example(type(self), name)}")  # fmt: skip
-            try:
-                fields[name] = part.replace(**nested)
-            except InputError as error:
-                raise InputError(f"{name}.{error.field}", error.got, error.allowed, error.hint) from None
-        return type(self)(**fields)
+            fields[name] = _part_with(fields[name], nested, name, f"{name} = {_example(type(self), name)}")
+        return fields
+
+    def quantity(self, name: str) -> Quantity | None:
+        """What a field measures here, if it is given, or the numbers listed in it; None where it is no number."""
+        return quantity_of(type(self), name) or _quantity_inside(type(self).model_fields[name].annotation)
 
 
 def quantity_of(model: type[Model], name: str) -> Quantity | None:
     """What a field measures; None where it is no number, or there is no such field."""
     metadata = model.model_fields[name].metadata if name in model.model_fields else []
     return next((m for m in metadata if isinstance(m, Quantity)), None)
+
+
+def _quantity_inside(annotation: Any) -> Quantity | None:
+    """What the numbers measure that may be left out, or are listed."""
+    if get_origin(annotation) is Annotated:
+        return next((m for m in annotation.__metadata__ if isinstance(m, Quantity)), None)
+    return next(filter(None, map(_quantity_inside, get_args(annotation))), None)
+
+
+def _by_part(changes: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, dict[str, Any]]]:
+    """Changes of fields themselves, and of what is inside them, by field."""
+    own: dict[str, Any] = {}
+    inside: dict[str, dict[str, Any]] = {}
+    for name, value in changes.items():
+        head, dot, rest = name.partition(".")
+        if dot:
+            inside.setdefault(head, {})[rest] = value
+        else:
+            own[name] = value
+    return own, inside
+
+
+def _part_with(part: Any, changes: Mapping[str, Any], name: str, hint: str) -> Any:
+    """Part of a model with some of what is inside it changed: fields of a model, elements of a list by their number."""
+    try:
+        if isinstance(part, Model):
+            return part.replace(**changes)
+        if isinstance(part, tuple) and part:
+            return _elements_with(part, changes)
+    except InputError as error:
+        raise InputError(f"{name}.{error.field}", error.got, error.allowed, error.hint) from None
+    rest, value = next(iter(changes.items()))
+    raise InputError(f"{name}.{rest}", value, f"left out, as {name} has no fields here", hint)
+
+
+def _elements_with(part: tuple[Any, ...], changes: Mapping[str, Any]) -> tuple[Any, ...]:
+    elements = {str(i): element for i, element in enumerate(part)}
+    own, inside = _by_part(changes)
+    for number in (*own, *inside):
+        if number not in elements:
+            raise InputError(number, "nothing known by that number", f"from 0 to {len(part) - 1}", "0")
+    elements |= own
+    for number, nested in inside.items():
+        elements[number] = _part_with(elements[number], nested, number, number)
+    return tuple(elements.values())
 
 
 def _unknown_field(model: type[Model], name: str) -> InputError:

@@ -14,7 +14,7 @@ from pydantic import Field, field_validator, model_validator
 from plategait.errors import InputError
 from plategait.model import Model
 from plategait.table import read_rows
-from plategait.units import ANGLE, PLATE_ANGLE, PLATE_STROKE, STROKE, Angle, Delay, Frequency, Offset, Ratio
+from plategait.units import ANGLE, PLATE_ANGLE, PLATE_STROKE, STROKE, Angle, Delay, Frequency, Offset, Quantity, Ratio
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
 Axis = Literal["x", "y", "z", "rx", "ry", "rz"]
@@ -40,9 +40,17 @@ class Wave(Model):
     @classmethod
     def _amplitude_by_axis(cls, data: Any) -> Any:
         if isinstance(data, dict) and "amplitude" in data and data.get("axis") in AXES:
-            quantity = ANGLE if data["axis"].startswith("r") else STROKE
+            quantity = _amplitude_on(data["axis"])
             return {**data, "amplitude": quantity.read(data["amplitude"], "amplitude")}
         return data
+
+    def quantity(self, name: str) -> Quantity | None:
+        """What a field measures: the amplitude a length or an angle, by the axis."""
+        return _amplitude_on(self.axis) if name == "amplitude" else super().quantity(name)
+
+
+def _amplitude_on(axis: Axis) -> Quantity:
+    return ANGLE if axis.startswith("r") else STROKE
 
 
 class Samples(Model):

@@ -8,7 +8,7 @@ import re
 import tomllib
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
@@ -73,7 +73,7 @@ class Scenario(Model):
         default=None, description="time before anything is measured (30 % of the duration if left out)"
     )
     slip_limit: Length = Field(default=0.01, description="failed once the centre has slipped this far (section 4.3)")
-    time_step: Duration | None = Field(
+    time_step: Annotated[float, Quantity("s", "s", "1e-4 s", above=0)] | None = Field(
         default=None, description="integration step (chosen from the stiffness if left out)"
     )
 

@@ -12,10 +12,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from plategait.campaign.opened import Campaign
-from plategait.campaign.parameters import Parameter
 from plategait.campaign.refine import curves
 from plategait.ensemble import Ensemble
 from plategait.errors import InputError
+from plategait.parameters import Parameter
 from plategait.plots import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, mark
 from plategait.units import parse
 
@@ -32,6 +32,7 @@ _NAMES = {
     "motion.stroke": "linear amplitude $B_p$",
     "natural_frequency": "natural frequency $\\omega_n$",
     "friction_angle": "friction angle $\\alpha$",
+    "friction_ratio": "friction ratio $\\mu_k/\\mu_s$",
 }
 
 

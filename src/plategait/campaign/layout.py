@@ -21,11 +21,11 @@ from numpy.typing import NDArray
 from plategait.campaign.batch import Variable
 from plategait.campaign.identity import FORMAT
 from plategait.campaign.lock import NAME as LOCK
-from plategait.campaign.parameters import Parameter
 from plategait.campaign.points import Point, columns
 from plategait.campaign.seal import SEAL, is_sealed, sealed
 from plategait.errors import InputError
 from plategait.input import UnreadableError, plain_bytes
+from plategait.parameters import Parameter
 
 ROOT, CHECKSUM = "zarr.json", "checksum"
 # Of the metadata, bytes: plans of millions of values are in them.

@@ -10,11 +10,12 @@ from typing import Any, Literal
 
 from pydantic import Field, model_validator
 
-from plategait.campaign.parameters import Parameter, Value, apply, find_parameter
+from plategait.campaign.parameters import read_values
 from plategait.engine.channels import check_series
 from plategait.engine.engines import Engine
 from plategait.errors import InputError
 from plategait.model import Model
+from plategait.parameters import Parameter, Value, find_parameter, with_values
 from plategait.presets import PRESETS, as_scenario
 from plategait.scenario import Scenario, read_scenario, read_toml, write_scenario
 from plategait.units import ANGULAR_FREQUENCY, Duration
@@ -72,11 +73,11 @@ class Sweep(Model):
         if nominal is not None:
             nominal = ANGULAR_FREQUENCY.read(nominal, "nominal_natural_frequency")
         fixed = _flat(data.pop("set", {}), "set")
-        fixed = {name: find_parameter(scenario, name).read(value) for name, value in fixed.items()}
-        scenario = apply(scenario, fixed, nominal)
+        fixed = {name: find_parameter(name, scenario).read(value) for name, value in fixed.items()}
+        scenario = with_values(scenario, fixed, nominal)
         for kind in ("grid", "points"):
             lists = _flat(data.get(kind) or {}, kind)
-            data[kind] = {name: find_parameter(scenario, name).read_values(lists[name]) for name in lists}
+            data[kind] = {name: read_values(find_parameter(name, scenario), lists[name]) for name in lists}
         return data | {"scenario": scenario, "nominal_natural_frequency": nominal}
 
     @model_validator(mode="after")
@@ -101,8 +102,8 @@ class Sweep(Model):
         if self.sample is None:
             return ranges
         for name, given in _flat(self.sample.ranges, "sample.ranges").items():
-            parameter = find_parameter(self.scenario, name)
-            ends = parameter.read_values(given)
+            parameter = find_parameter(name, self.scenario)
+            ends = read_values(parameter, given)
             if parameter.quantity is None or len(ends) != 2 or not ends[0] < ends[1]:  # type: ignore[operator]
                 hint = f"[{parameter.example}, twice as much]"
                 raise InputError(f"sample.ranges.{name}", given, "two numbers that rise", hint)
@@ -115,11 +116,11 @@ class Sweep(Model):
     def parameters(self) -> tuple[Parameter, ...]:
         """What is varied, in order."""
         names = self.sample_ranges() or self.grid or self.points
-        return tuple(find_parameter(self.scenario, name) for name in names)
+        return tuple(find_parameter(name, self.scenario) for name in names)
 
     def at(self, values: Mapping[str, Value]) -> Scenario:
         """Scenario at a point."""
-        return apply(self.scenario, values, self.nominal_natural_frequency)
+        return with_values(self.scenario, values, self.nominal_natural_frequency)
 
     def to_json(self) -> str:
         """Everything but the batch size, as text that `sweep_of_json` reads back the same."""

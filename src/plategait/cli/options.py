@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -10,16 +11,12 @@ import typer
 from plategait.cli.command import refuse
 from plategait.engine import engines
 from plategait.fragment import overlay, read_fragment
+from plategait.parameters import find_parameter, kinetic_follows, with_values
 from plategait.presets import PRESETS, as_scenario
 from plategait.scenario import Scenario
-from plategait.units import ANGULAR_FREQUENCY, PLATE_ANGLE, PLATE_STROKE, Quantity
 
 if TYPE_CHECKING:
     from numpy.random import Generator
-
-_STEP = Quantity("s", "s", "1e-4 s", above=0)
-_DURATION = Quantity("s", "s", "4 s", above=0)
-_COEFFICIENT = Quantity("", "", "0.75", at_least=0)
 
 ScenarioName = Annotated[
     str, typer.Argument(metavar="[SCENARIO]", help=f"A TOML file, or one of {', '.join(PRESETS)}.")
@@ -80,34 +77,19 @@ def build(
     measured: list[Path] | None = None,
     generator: Generator | None = None,
 ) -> Scenario:
-    """Scenario with the options of the command line laid over it, each read under its option's name.
+    """Scenario with the options of the command line laid over it.
 
-    Measured parameters are laid under them, drawn from their uncertainty where a generator is given.
+    Measured parameters are laid under them, drawn from their uncertainty where a generator is given. An error names the
+    scenario's parameter, which `Command` turns into the option that was typed.
     """
     scenario = overlay(as_scenario(name), [read_fragment(path) for path in measured or []], generator)
-    changes: dict[str, Any] = {}
-    if sheet is not None:
-        changes["sheet"] = as_scenario(sheet, "--sheet").sheet
-    if natural_frequency is not None:
-        omega = ANGULAR_FREQUENCY.read(natural_frequency, "--natural-frequency")
-        changes["sheet"] = changes.get("sheet", scenario.sheet).with_natural_frequency(omega)
-    if frequency is not None:
-        changes["motion.frequency"] = frequency
-    if angle is not None:
-        changes["motion.angle"] = PLATE_ANGLE.read(angle, "--angle")
-    if stroke is not None:
-        changes["motion.stroke"] = PLATE_STROKE.read(stroke, "--stroke")
-    if mu_s is not None:
-        changes["friction.static"] = _COEFFICIENT.read(mu_s, "--mu-s")
-        changes["friction.kinetic"] = changes["friction.static"] * scenario.friction.ratio
-    if mu_k is not None:
-        changes["friction.kinetic"] = _COEFFICIENT.read(mu_k, "--mu-k")
-    if friction_law is not None:
-        changes["friction.law"] = friction_law
-    if duration is not None:
-        changes["duration"] = _DURATION.read(duration, "--duration")
-        if scenario.transient is not None and scenario.transient >= changes["duration"]:
-            changes["transient"] = None
-    if dt is not None:
-        changes["time_step"] = _STEP.read(dt, "--dt")
-    return scenario.replace(**changes) if changes else scenario
+    told = {
+        "natural_frequency": natural_frequency, "motion.frequency": frequency, "motion.angle": angle,
+        "motion.stroke": stroke, "friction.static": mu_s, "friction.kinetic": mu_k, "friction.law": friction_law,
+        "duration": duration, "time_step": dt,
+    }  # fmt: skip
+    changes: dict[str, Any] = {} if sheet is None else {"sheet": as_scenario(sheet, "--sheet").sheet}
+    changes |= {name: find_parameter(name, scenario).read(value) for name, value in told.items() if value is not None}
+    if scenario.transient is not None and scenario.transient >= changes.get("duration", math.inf):
+        changes["transient"] = None
+    return with_values(scenario, kinetic_follows(changes, scenario))

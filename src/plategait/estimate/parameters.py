@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.errors import InputError
+from plategait.parameters import SHORTHANDS, value_of, with_values
 from plategait.scenario import Scenario
 
 Array = NDArray[np.float64]
@@ -65,6 +66,12 @@ CONTACT_DAMPING = Parameter("contact_damping", 0.3, 3.0, True)
 
 ALWAYS = (NATURAL_FREQUENCY, FRICTION_ANGLE, FRICTION_RATIO)
 ON_REQUEST = (MASS, BENDING_DAMPING, CONTACT_DAMPING)
+# What each factor multiplies; with the mass the bending stiffness, so that ω_n stays what it is.
+_SCALED = {
+    "mass": ("sheet.mass", "sheet.bending_stiffness", "sheet.torsion_stiffness"),
+    "bending_damping": ("sheet.bending_damping",),
+    "contact_damping": ("contact.damping",),
+}
 
 
 @dataclass(frozen=True)
@@ -93,24 +100,11 @@ class Unknowns:
     def scenario(self, values: Sequence[float] | Array) -> Scenario:
         """Scenario with the unknowns at SI values (d,)."""
         given = dict(zip(self.names, map(float, values), strict=True))
-        base, sheet = self.base, self.base.sheet
-        if "natural_frequency" in given:
-            sheet = sheet.with_natural_frequency(given["natural_frequency"])
-        if "mass" in given:
-            # The bending stiffness follows, so that ω_n stays what it is.
-            sheet = sheet.replace(mass=sheet.mass * given["mass"],
-                                  bending_stiffness=sheet.bending_stiffness * given["mass"],
-                                  torsion_stiffness=sheet.torsion_stiffness * given["mass"])  # fmt: skip
-        if "bending_damping" in given:
-            sheet = sheet.replace(bending_damping=sheet.bending_damping * given["bending_damping"])
-        static = math.tan(given["friction_angle"]) if "friction_angle" in given else base.friction.static
-        ratio = given.get("friction_ratio", base.friction.ratio)
-        friction = base.friction.replace(static=static, kinetic=static * min(ratio, 1.0))
-        contact = base.contact
-        if "contact_damping" in given:
-            contact = contact.replace(damping=contact.damping * given["contact_damping"])
-        made: Scenario = base.replace(sheet=sheet, friction=friction, contact=contact)
-        return made
+        made = with_values(self.base, {name: value for name, value in given.items() if name in SHORTHANDS})
+        factors = {name: factor for name, factor in given.items() if name in _SCALED}
+        return with_values(
+            made, {field: value_of(made, field) * by for name, by in factors.items() for field in _SCALED[name]}
+        )
 
 
 def unknowns(
@@ -140,7 +134,7 @@ def unknowns(
     if friction_ratio is not None:
         if not 0 < friction_ratio <= 1:
             raise InputError("friction_ratio", friction_ratio, "above 0 and at most 1", "0.53")
-        base = base.replace(**{"friction.kinetic": base.friction.static * friction_ratio})
+        base = with_values(base, {"friction_ratio": friction_ratio})
         known = [*known, "friction_ratio"]
     chosen = [p for p in ALWAYS if p.name not in known] + [p for p in ON_REQUEST if p.name in free]
     if not chosen:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from plategait import published
+from plategait.parameters import with_values
 from plategait.presets import SOLVER_DAMPING, preset
 from plategait.protocol import REGENERATED
 from plategait.published import FRICTION_RATIO, NOMINAL_NATURAL_FREQUENCY, REFERENCE_ALPHA
@@ -76,7 +77,6 @@ class Case:
     @property
     def scenario(self) -> Scenario:
         """What is run, at the preset's frequency."""
-        base = preset(self.thing).scenario
         changes: dict[str, Any] = {
             "name": self.label,
             "motion.angle": math.radians(self.angle_deg),
@@ -85,16 +85,14 @@ class Case:
             "slip_limit": REGENERATED.slip_limit,
         }
         if self.thing == "cheese":
-            nominal = None if self.variant == "dish mode" else NOMINAL_NATURAL_FREQUENCY
-            static = math.tan(math.radians(self.alpha_deg))
-            share = 1.0 if self.variant == "one friction" else FRICTION_RATIO
             changes |= {
-                "sheet": base.sheet.with_natural_frequency(self.omega_pi * math.pi, nominal=nominal),
-                "friction.static": static,
-                "friction.kinetic": share * static,
+                "natural_frequency": self.omega_pi * math.pi,
+                "friction_angle": math.radians(self.alpha_deg),
+                "friction_ratio": 1.0 if self.variant == "one friction" else FRICTION_RATIO,
             }
-        chosen = base.replace(**changes)
-        return chosen.replace(**_departures(self.variant, chosen)) if self.variant else chosen
+        nominal = None if self.variant == "dish mode" else NOMINAL_NATURAL_FREQUENCY
+        chosen = with_values(preset(self.thing).scenario, changes, nominal)
+        return with_values(chosen, _departures(self.variant, chosen)) if self.variant else chosen
 
     @property
     def label(self) -> str:
