@@ -18,8 +18,8 @@ import numpy as np
 
 from plategait.engine import cpu
 from plategait.engine.recording import Run
-from plategait.outline import Disk
-from plategait.presets import preset
+from plategait.model.outline import Disk
+from plategait.model.presets import preset
 
 REPEATS = 5
 TARGET = 300.0  # simulated seconds per second, two AVX-512 cores, 64 runs of 52 nodes

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from benchmarks.fuzz_inputs import Draw, sheet_fields
-from plategait.motion import AXES
-from plategait.presets import PRESETS, preset
-from plategait.scenario import Scenario
-from plategait.simulation import Simulation
+from plategait.model.motion import AXES
+from plategait.model.presets import PRESETS, preset
+from plategait.model.scenario import Scenario
+from plategait.simulation.run import Simulation
 
 # A sheet may move this many times faster than any point of the plate ever does, and fall.
 BOUNCE = 3.0

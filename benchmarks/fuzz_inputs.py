@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from plategait.motion import AXES
-from plategait.presets import PRESETS
+from plategait.model.motion import AXES
+from plategait.model.presets import PRESETS
 
 SHAPES = ("disk", "ellipse", "rectangle", "polygon", "mask")
 # Shares of fields that are extreme or nonsense: in most scenarios none, in some a few, in some many.

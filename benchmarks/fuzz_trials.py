@@ -21,8 +21,8 @@ from benchmarks.fuzz_edge import absurdities, edge_fields
 from benchmarks.fuzz_inputs import Draw, command, motion_fields, scenario_fields
 from plategait import cli
 from plategait.errors import InputError
-from plategait.scenario import Scenario, read_scenario, write_scenario
-from plategait.simulation import Simulation, simulate_all
+from plategait.model.scenario import Scenario, read_scenario, write_scenario
+from plategait.simulation.run import Simulation, simulate_all
 
 LONGEST_LINE = 1000  # characters of a message
 # Of a scenario, and of one at an edge, which takes its time to fall: longer ones are cut, so that thousands take

@@ -18,15 +18,15 @@ from typing import Any
 
 import numpy as np
 
-from plategait.curve import Curve, fit_curve
+from plategait.curve.curve import Curve, fit_curve
+from plategait.curve.protocol import measured_as
 from plategait.errors import InputError
 from plategait.estimate.linear import estimate_linear
-from plategait.estimate.parameters import unknowns
 from plategait.estimate.result import estimate_parameters
-from plategait.presets import nominal_natural_frequency, preset
-from plategait.protocol import measured_as
-from plategait.scenario import Scenario
-from plategait.simulation import START_SPREAD, START_TURN, simulate
+from plategait.estimate.unknowns import unknowns
+from plategait.model.presets import nominal_natural_frequency, preset
+from plategait.model.scenario import Scenario
+from plategait.simulation.run import START_SPREAD, START_TURN, simulate
 
 NOISE = 0.05
 BASE = measured_as(preset("cheese").scenario)

@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 
 from benchmarks.recovery import BASE, NOISE, Outcome, curve_of, measurement, spread
-from plategait.estimate.parameters import unknowns
 from plategait.estimate.result import estimate_parameters
-from plategait.outline import Disk
-from plategait.scenario import Scenario
-from plategait.simulation import simulate_all
+from plategait.estimate.unknowns import unknowns
+from plategait.model.outline import Disk
+from plategait.model.scenario import Scenario
+from plategait.simulation.run import simulate_all
 
 OBJECTS = (
     (5.0, 30.0, 0.53),

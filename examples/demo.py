@@ -11,8 +11,9 @@ import time
 from pathlib import Path
 
 import plategait as pg
-from plategait import plots, render
-from plategait.simulation import FILM_INTERVAL
+from plategait import render
+from plategait.plots import figures as plots
+from plategait.simulation.run import FILM_INTERVAL
 
 OUT = Path("out")
 

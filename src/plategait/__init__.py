@@ -19,59 +19,59 @@ if TYPE_CHECKING:
     from plategait.campaign.plan import Sweep as Sweep
     from plategait.campaign.plan import read_sweep as read_sweep
     from plategait.campaign.run import sweep as sweep
-    from plategait.contact import Contact as Contact
-    from plategait.contact import Friction as Friction
-    from plategait.curve import Curve as Curve
-    from plategait.curve import read_curve as read_curve
-    from plategait.curve import spin_curve as spin_curve
-    from plategait.curve import write_curve as write_curve
+    from plategait.curve.curve import Curve as Curve
+    from plategait.curve.curve import read_curve as read_curve
+    from plategait.curve.curve import spin_curve as spin_curve
+    from plategait.curve.curve import write_curve as write_curve
+    from plategait.curve.lorentz import LorentzFit as LorentzFit
+    from plategait.curve.lorentz import fit_lorentzian as fit_lorentzian
     from plategait.errors import InputError as InputError
     from plategait.estimate.planning import next_measurement as next_measurement
     from plategait.estimate.result import Estimate as Estimate
     from plategait.estimate.result import estimate_parameters as estimate_parameters
-    from plategait.fragment import Fragment as Fragment
-    from plategait.fragment import read_fragment as read_fragment
-    from plategait.fragment import write_fragment as write_fragment
-    from plategait.lorentz import LorentzFit as LorentzFit
-    from plategait.lorentz import fit_lorentzian as fit_lorentzian
-    from plategait.motion import PlateMotion as PlateMotion
-    from plategait.motion import Samples as Samples
-    from plategait.motion import Wave as Wave
-    from plategait.outline import Disk as Disk
-    from plategait.outline import Ellipse as Ellipse
-    from plategait.outline import Mask as Mask
-    from plategait.outline import Polygon as Polygon
-    from plategait.outline import Rectangle as Rectangle
-    from plategait.presets import PRESETS as PRESETS
-    from plategait.presets import preset as preset
-    from plategait.scenario import Plate as Plate
-    from plategait.scenario import Scenario as Scenario
-    from plategait.scenario import Start as Start
-    from plategait.scenario import read_scenario as read_scenario
-    from plategait.scenario import write_scenario as write_scenario
-    from plategait.sheet import Sheet as Sheet
-    from plategait.simulation import Simulation as Simulation
-    from plategait.simulation import simulate as simulate
-    from plategait.simulation import simulate_all as simulate_all
+    from plategait.model.contact import Contact as Contact
+    from plategait.model.contact import Friction as Friction
+    from plategait.model.fragment import Fragment as Fragment
+    from plategait.model.fragment import read_fragment as read_fragment
+    from plategait.model.fragment import write_fragment as write_fragment
+    from plategait.model.motion import PlateMotion as PlateMotion
+    from plategait.model.motion import Samples as Samples
+    from plategait.model.motion import Wave as Wave
+    from plategait.model.outline import Disk as Disk
+    from plategait.model.outline import Ellipse as Ellipse
+    from plategait.model.outline import Mask as Mask
+    from plategait.model.outline import Polygon as Polygon
+    from plategait.model.outline import Rectangle as Rectangle
+    from plategait.model.presets import PRESETS as PRESETS
+    from plategait.model.presets import preset as preset
+    from plategait.model.scenario import Plate as Plate
+    from plategait.model.scenario import Scenario as Scenario
+    from plategait.model.scenario import Start as Start
+    from plategait.model.scenario import read_scenario as read_scenario
+    from plategait.model.scenario import write_scenario as write_scenario
+    from plategait.model.sheet import Sheet as Sheet
+    from plategait.simulation.run import Simulation as Simulation
+    from plategait.simulation.run import simulate as simulate
+    from plategait.simulation.run import simulate_all as simulate_all
     from plategait.version import __version__ as __version__
 
 _HOMES = {
     "campaign.opened": ("Campaign", "open_sweep"),
     "campaign.plan": ("Sweep", "read_sweep"),
     "campaign.run": ("sweep",),
-    "contact": ("Contact", "Friction"),
-    "curve": ("Curve", "read_curve", "spin_curve", "write_curve"),
+    "model.contact": ("Contact", "Friction"),
+    "curve.curve": ("Curve", "read_curve", "spin_curve", "write_curve"),
     "errors": ("InputError",),
     "estimate.planning": ("next_measurement",),
     "estimate.result": ("Estimate", "estimate_parameters"),
-    "fragment": ("Fragment", "read_fragment", "write_fragment"),
-    "lorentz": ("LorentzFit", "fit_lorentzian"),
-    "motion": ("PlateMotion", "Samples", "Wave"),
-    "outline": ("Disk", "Ellipse", "Mask", "Polygon", "Rectangle"),
-    "presets": ("PRESETS", "preset"),
-    "scenario": ("Plate", "Scenario", "Start", "read_scenario", "write_scenario"),
-    "sheet": ("Sheet",),
-    "simulation": ("Simulation", "simulate", "simulate_all"),
+    "model.fragment": ("Fragment", "read_fragment", "write_fragment"),
+    "curve.lorentz": ("LorentzFit", "fit_lorentzian"),
+    "model.motion": ("PlateMotion", "Samples", "Wave"),
+    "model.outline": ("Disk", "Ellipse", "Mask", "Polygon", "Rectangle"),
+    "model.presets": ("PRESETS", "preset"),
+    "model.scenario": ("Plate", "Scenario", "Start", "read_scenario", "write_scenario"),
+    "model.sheet": ("Sheet",),
+    "simulation.run": ("Simulation", "simulate", "simulate_all"),
     "version": ("__version__",),
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}

@@ -10,9 +10,9 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from plategait.vision.camera import Camera
-from plategait.vision.fiducials import marker_modules, plate_target
-from plategait.vision.film_writer import film_file
+from plategait.camera.camera import Camera
+from plategait.camera.fiducials import marker_modules, plate_target
+from plategait.camera.writer import film_file
 
 SIDE, FIDUCIAL = 0.1, 0.1 / 6
 GRAIN = 2e-4  # m in a pixel of the plate's drawing

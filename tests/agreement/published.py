@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from plategait import published
-from plategait.presets import preset
-from plategait.scenario import Scenario
+from plategait.model.presets import preset
+from plategait.model.scenario import Scenario
 
 # (A_p in deg, ω_n over π): f0 in Hz.
 F0 = {(c.angle_deg, c.omega_pi): c.f0_hz for c in published.curves() if c.alpha_deg == published.REFERENCE_ALPHA}

@@ -8,12 +8,12 @@ import cv2
 import numpy as np
 import pytest
 
+from plategait.camera.writer import film_file
 from plategait.errors import InputError
-from plategait.identify.bending import identify_bending
-from plategait.identify.markers import read_angles
-from plategait.vision.cantilever import StripTrack, track_cantilever
-from plategait.vision.film_cantilever import StripFilm, film_cantilever
-from plategait.vision.film_writer import film_file
+from plategait.identify.bending.recording import read_angles
+from plategait.identify.bending.result import identify_bending
+from plategait.render.clip.strip import StripFilm, film_cantilever
+from plategait.vision.strip import StripTrack, track_cantilever
 
 # Table 4.1's joint, N m/rad; the damping is ten times its, so that a short film holds most of the decay.
 PER_DEGREE = 1e-3 * 180 / math.pi

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from published import F0, frequencies, scenario
 
-from plategait.curve import spin_curve
-from plategait.observables import GAITS
-from plategait.presets import preset
-from plategait.protocol import measured_as
-from plategait.simulation import simulate, simulate_all
+from plategait.curve.curve import spin_curve
+from plategait.curve.protocol import measured_as
+from plategait.model.presets import preset
+from plategait.simulation.observables import GAITS
+from plategait.simulation.run import simulate, simulate_all
 
 ORDER = {gait: i for i, gait in enumerate((*GAITS, "failed"))}
 

@@ -7,15 +7,15 @@ import math
 import numpy as np
 import pytest
 
-from plategait.curve import Curve, spin_curve
+from plategait.curve.curve import Curve, spin_curve
+from plategait.curve.protocol import measured_as
 from plategait.estimate.judgement import check_fit
-from plategait.estimate.parameters import unknowns
 from plategait.estimate.planning import next_measurement
 from plategait.estimate.prediction import predict
 from plategait.estimate.result import estimate_parameters
-from plategait.presets import preset
-from plategait.protocol import measured_as
-from plategait.simulation import simulate
+from plategait.estimate.unknowns import unknowns
+from plategait.model.presets import preset
+from plategait.simulation.run import simulate
 
 BASE = measured_as(preset("cheese").scenario)
 FREQUENCIES = (13.5, 14.5, 15.5, 17.0, 19.0, 21.0, 23.0, 24.5, 25.5, 26.5)

@@ -9,10 +9,10 @@ import pytest
 
 from plategait.engine import cpu
 from plategait.engine.recording import Run
-from plategait.motion import Samples
-from plategait.observables import rotation
-from plategait.outline import Rectangle
-from plategait.presets import preset
+from plategait.model.motion import Samples
+from plategait.model.outline import Rectangle
+from plategait.model.presets import preset
+from plategait.simulation.observables import rotation
 
 CHEESE = preset("cheese").scenario.replace(duration=0.4)
 # Sampled trajectories of other lengths, ends and steps.

@@ -11,10 +11,10 @@ from plategait.engine.recording import Run
 from plategait.engine.tile_runs import run, tile_model
 from plategait.engine.tiles import stable_step, tile_modes
 from plategait.errors import InputError
-from plategait.motion import Samples, Wave
-from plategait.presets import preset
-from plategait.scenario import Plate
-from plategait.simulation import simulate, simulate_all
+from plategait.model.motion import Samples, Wave
+from plategait.model.presets import preset
+from plategait.model.scenario import Plate
+from plategait.simulation.run import simulate, simulate_all
 
 CHEESE = preset("cheese").scenario
 LATTICE = CHEESE.sheet.lattice

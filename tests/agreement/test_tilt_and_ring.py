@@ -7,12 +7,12 @@ import math
 import numpy as np
 import pytest
 
-from plategait.identify.friction import identify_friction
-from plategait.identify.ring import identify_ring
-from plategait.identify.ring_recording import RingRecording
-from plategait.identify.tilt import TiltRecording
-from plategait.identify.tilt_synthetic import ring_recording, tilt_recording
-from plategait.presets import preset
+from plategait.identify.friction.recording import TiltRecording
+from plategait.identify.friction.result import identify_friction
+from plategait.identify.friction.synthetic import ring_recording, tilt_recording
+from plategait.identify.modes.fit import identify_ring
+from plategait.identify.modes.recording import RingRecording
+from plategait.model.presets import preset
 
 CHEESE = preset("cheese").scenario.sheet
 SEEDS = range(40)

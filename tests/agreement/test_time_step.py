@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from published import scenario
 
-from plategait.presets import preset
-from plategait.simulation import simulate_all
+from plategait.model.presets import preset
+from plategait.simulation.run import simulate_all
 
 # The rate is measured over 1.2 s here, to keep the test short.
 SHORT = {"duration": 2.0, "transient": 0.8}

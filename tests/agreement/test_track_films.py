@@ -14,11 +14,11 @@ import pytest
 from drawn_clips import FIDUCIAL, SIDE, Clip, draw
 
 from plategait.errors import InputError
-from plategait.presets import preset
-from plategait.simulation import simulate
-from plategait.vision.look import Look
+from plategait.model.presets import preset
+from plategait.render.clip.clip import film, usual_camera
+from plategait.render.clip.look import Look
+from plategait.simulation.run import simulate
 from plategait.vision.survey import Setup
-from plategait.vision.synthetic import film, usual_camera
 from plategait.vision.track import Track, track
 
 SETUP = Setup(plate_size=(SIDE, SIDE), fiducial=FIDUCIAL)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from plategait.contact import Contact, Friction
 from plategait.engine import cpu
 from plategait.engine.recording import Recording, Run
-from plategait.motion import PlateMotion
-from plategait.outline import Rectangle
-from plategait.scenario import Plate, Scenario
-from plategait.sheet import Sheet
+from plategait.model.contact import Contact, Friction
+from plategait.model.motion import PlateMotion
+from plategait.model.outline import Rectangle
+from plategait.model.scenario import Plate, Scenario
+from plategait.model.sheet import Sheet
 
 STILL = PlateMotion(frequency=100.0, angle=0.0, stroke=0.0, ramp=0.0)
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from bench import flat, observed_order, run, strip
 
-from plategait.modes import transverse_matrix
-from plategait.outline import Disk
-from plategait.sheet import Sheet
-from plategait.vibration import cantilever_frequencies, free_disk_frequency
+from plategait.model.modes import transverse_matrix
+from plategait.model.outline import Disk
+from plategait.model.sheet import Sheet
+from plategait.theory.vibration import cantilever_frequencies, free_disk_frequency
 
 
 def test_one_joint_rings_down_as_a_damped_oscillator():

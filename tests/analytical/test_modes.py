@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from plategait.modes import transverse_matrix
-from plategait.outline import Disk, Ellipse, Mask, Outline, Polygon, Rectangle
-from plategait.sheet import Sheet
+from plategait.model.modes import transverse_matrix
+from plategait.model.outline import Disk, Ellipse, Mask, Outline, Polygon, Rectangle
+from plategait.model.sheet import Sheet
 
 pytestmark = pytest.mark.linear_algebra
 

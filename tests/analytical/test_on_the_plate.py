@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from bench import STILL, flat, observed_order, run, strip
 
-from plategait.energy import LEDGER_TOLERANCE, energy_ledger
-from plategait.motion import PlateMotion, Samples, Wave
-from plategait.observables import rotation
-from plategait.presets import PRESETS, preset
-from plategait.simulation import simulate, simulate_all
+from plategait.model.motion import PlateMotion, Samples, Wave
+from plategait.model.presets import PRESETS, preset
+from plategait.simulation.energy import LEDGER_TOLERANCE, energy_ledger
+from plategait.simulation.observables import rotation
+from plategait.simulation.run import simulate, simulate_all
 
 CHEESE = preset("cheese").scenario
 RIGID = CHEESE.sheet.with_natural_frequency(320 * math.pi)
@@ -169,7 +169,7 @@ def test_a_plate_at_rest_moves_nothing():
 
 def test_a_disk_leaves_a_plate_that_ends():
     # Past the edge nothing carries it.
-    from plategait.scenario import Plate, Start
+    from plategait.model.scenario import Plate, Start
 
     scenario = CHEESE.replace(plate=Plate(), start=Start(y=0.2), duration=0.2)
     result = simulate(scenario)

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from bench import STILL, flat, run, strip
 
-from plategait.contact import Contact, Friction
 from plategait.engine import cpu
 from plategait.engine.recording import Run
-from plategait.motion import PlateMotion, Wave
-from plategait.observation import observe
-from plategait.presets import preset
-from plategait.scenario import Plate
-from plategait.simulation import simulate, simulate_all
+from plategait.model.contact import Contact, Friction
+from plategait.model.motion import PlateMotion, Wave
+from plategait.model.presets import preset
+from plategait.model.scenario import Plate
+from plategait.simulation.observation import observe
+from plategait.simulation.run import simulate, simulate_all
 
 NODE = strip(1)
 PLATE = Plate(length=0.1, width=0.1)
@@ -180,7 +180,7 @@ def test_a_rough_sheet_turns_with_a_turntable_of_many_turns(turns, axis):
                              waves=(Wave(axis="rz", amplitude=angle),))  # fmt: skip
         duration = period / 2
     else:
-        from plategait.motion import Samples
+        from plategait.model.motion import Samples
 
         duration *= max(1.0, turns / 4)
         time = np.linspace(0, duration, 400)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from bench import flat, observed_order, run, strip
 
-from plategait.contact import Contact, Friction
+from plategait.model.contact import Contact, Friction
 
 NODE = strip(1)
 

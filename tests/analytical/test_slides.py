@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from bench import flat, run, strip
 
-from plategait.identify.decay import fit_decays, matrix_pencil, mode_columns
-from plategait.identify.friction import identify_friction
-from plategait.identify.ring import identify_ring
-from plategait.identify.ring_recording import RingRecording
-from plategait.identify.slide import fit_slide
-from plategait.identify.tilt import Tilt, TiltRecording, smooth_tilt
-from plategait.identify.tilt_synthetic import ring_recording, slide_length, tilt_recording
-from plategait.presets import preset
-from plategait.theory import GRAVITY
+from plategait.identify.friction.recording import Tilt, TiltRecording, smooth_tilt
+from plategait.identify.friction.result import identify_friction
+from plategait.identify.friction.slide import fit_slide
+from plategait.identify.friction.synthetic import ring_recording, slide_length, tilt_recording
+from plategait.identify.modes.decay import fit_decays, matrix_pencil, mode_columns
+from plategait.identify.modes.fit import identify_ring
+from plategait.identify.modes.recording import RingRecording
+from plategait.model.presets import preset
+from plategait.theory.rigid import GRAVITY
 
 pytestmark = pytest.mark.linear_algebra
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy import linalg
 
-from plategait.identify.markers import angles_of_markers
-from plategait.identify.two_links import (
+from plategait.identify.bending.recording import angles_of_markers
+from plategait.theory.two_links import (
     Joints,
     Strip,
     between,

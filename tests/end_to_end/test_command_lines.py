@@ -183,7 +183,7 @@ def test_what_escapes_a_command_is_one_line(raised, words, monkeypatch, capsys):
     def fail(*given, **named):
         raise raised
 
-    monkeypatch.setattr("plategait.simulation.simulate", fail)
+    monkeypatch.setattr("plategait.simulation.run.simulate", fail)
     monkeypatch.setattr(sys, "argv", ["plategait", "simulate"])
     with pytest.raises(SystemExit) as end:
         main()

@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 
 from plategait.cli import main
-from plategait.curve import COLUMNS, read_curve
-from plategait.presets import PRESETS, preset
-from plategait.scenario import read_scenario, write_scenario
-from plategait.simulation import simulate
+from plategait.curve.curve import COLUMNS, read_curve
+from plategait.model.presets import PRESETS, preset
+from plategait.model.scenario import read_scenario, write_scenario
+from plategait.simulation.run import simulate
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
 SHORT = ("--duration", "0.2 s")

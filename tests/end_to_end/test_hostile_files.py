@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 
 from plategait.cli import main
-from plategait.input import LARGEST_TABLE, LARGEST_TOML
-from plategait.presets import preset
-from plategait.scenario import write_scenario
-from plategait.table import MOST_COLUMNS
+from plategait.files.input import LARGEST_TABLE, LARGEST_TOML
+from plategait.files.table import MOST_COLUMNS
+from plategait.model.presets import preset
+from plategait.model.scenario import write_scenario
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
 SECRET = "hunter2"
@@ -276,7 +276,7 @@ def test_a_large_picture_is_read_once_in_bounded_memory(pixels, folder):
     picture.save(folder / "large.png")
     program = (
         "import resource, sys; from pathlib import Path; from plategait.errors import InputError\n"
-        "import plategait.outline as o, plategait.input as i\n"
+        "import plategait.model.outline as o, plategait.files.input as i\n"
         "read, o.read_bytes = [], lambda *a: (read.append(a), i.read_bytes(*a))[1]\n"
         "try:\n    m = o.Mask(width_of_picture='94 mm', image=Path('large.png')); print(m.size(), len(read))\n"
         "    print(o.occupied_squares(m, 0.01).sum())\n"

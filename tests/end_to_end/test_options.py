@@ -183,10 +183,10 @@ def test_every_command_names_options_as_they_are_typed():
 def files(tmp_path_factory) -> Path:
     """Folder with a file of each kind."""
     from plategait.campaign.run import sweep
-    from plategait.identify.markers import read_angles
-    from plategait.presets import preset
-    from plategait.scenario import write_scenario
-    from plategait.vision.film_cantilever import film_cantilever
+    from plategait.identify.bending.recording import read_angles
+    from plategait.model.presets import preset
+    from plategait.model.scenario import write_scenario
+    from plategait.render.clip.strip import film_cantilever
 
     folder = tmp_path_factory.mktemp("files")
     frequency = np.arange(14.0, 29.0)
@@ -227,11 +227,11 @@ def answers(files) -> dict[str, object]:
 
     from plategait.campaign.opened import open_sweep
     from plategait.estimate.result import estimate_parameters
-    from plategait.presets import preset
-    from plategait.simulation import simulate
+    from plategait.model.presets import preset
+    from plategait.render.clip.clip import film, usual_camera
+    from plategait.simulation.run import simulate
     from plategait.thesis.study import Study
     from plategait.vision.folder import Clip
-    from plategait.vision.synthetic import film, usual_camera
     from plategait.vision.track import track
 
     cheese = preset("cheese").scenario.replace(duration=0.8, transient=0.2)
@@ -253,7 +253,7 @@ def answers(files) -> dict[str, object]:
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
         "plategait.vision.track.track": seen,
         "plategait.vision.folder.track_folder": [Clip(files / "clips" / "20Hz.mp4", 20.0, "told", seen)],
-        "plategait.vision.synthetic.film": truth,
+        "plategait.render.clip.clip.film": truth,
     }
 
 

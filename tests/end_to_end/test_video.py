@@ -48,7 +48,7 @@ def test_the_full_circle(tmp_path):
 
 def test_a_strip_from_film_to_joint(tmp_path):
     from plategait.identify.examples import C_B, K_B
-    from plategait.vision.film_cantilever import film_cantilever
+    from plategait.render.clip.strip import film_cantilever
 
     film_cantilever(K_B, C_B, tmp_path / "strip.mp4")
     done = plategait("track-strip", "strip.mp4", "--link-length", "10 mm", "--out", "strip.csv", cwd=tmp_path, check=0)

@@ -10,10 +10,10 @@ import cv2
 import numpy as np
 import pytest
 
+from plategait.camera import fiducials
+from plategait.camera.camera import Calibration, Camera, read_calibration, write_calibration
+from plategait.camera.fiducials import plate_target, write_target_pdf
 from plategait.errors import InputError
-from plategait.vision import fiducials
-from plategait.vision.camera import Calibration, Camera, read_calibration, write_calibration
-from plategait.vision.fiducials import plate_target, write_target_pdf
 
 EYE = (0.25, -0.1, 0.4)
 LENS = (-0.21, 0.06, 0.001, -0.002, -0.01)

@@ -6,11 +6,11 @@ import numpy as np
 import plategait._native as native
 import pytest
 
-from plategait.campaign.trajectories import thinned
+from plategait.campaign.series import thinned
 from plategait.engine.channels import CHANNELS, ROTATION, SERIES, check_series
 from plategait.errors import InputError
-from plategait.presets import preset
-from plategait.simulation import simulate
+from plategait.model.presets import preset
+from plategait.simulation.run import simulate
 
 
 def test_the_channels_are_the_core_s_own_in_its_order():

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plategait.curve import COLUMNS, Curve, fit_curve, parse_frequencies, read_curve, spin_curve, write_curve
+from plategait.curve.curve import COLUMNS, Curve, fit_curve, parse_frequencies, read_curve, spin_curve, write_curve
 from plategait.errors import InputError
-from plategait.observables import FAILURES, GAITS
-from plategait.presets import preset
+from plategait.model.presets import preset
+from plategait.simulation.observables import FAILURES, GAITS
 
 HEAD = "frequency_hz,spin_rate_deg_s\n"
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plategait import dataset
 from plategait.engine.recording import Run
 from plategait.errors import InputError
-from plategait.presets import preset
-from plategait.simulation import FILM_INTERVAL, simulate
+from plategait.model.presets import preset
+from plategait.simulation import dataset
+from plategait.simulation.run import FILM_INTERVAL, simulate
 
 SHORT = preset("cheese").scenario.replace(duration="0.3 s")
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from plategait.energy import LEDGER_TOLERANCE, EnergyLedger, energy_ledger
+from plategait.simulation.energy import LEDGER_TOLERANCE, EnergyLedger, energy_ledger
 
 
 def test_the_ledger_sums():

@@ -15,12 +15,12 @@ from plategait.engine import cpu, memory
 from plategait.engine.recording import Run
 from plategait.engine.trajectories import table_bytes, tables
 from plategait.errors import InputError
-from plategait.motion import PlateMotion, Samples
-from plategait.outline import Disk
-from plategait.presets import preset
-from plategait.scenario import Scenario
-from plategait.sheet import Sheet
-from plategait.simulation import simulate, simulate_all
+from plategait.model.motion import PlateMotion, Samples
+from plategait.model.outline import Disk
+from plategait.model.presets import preset
+from plategait.model.scenario import Scenario
+from plategait.model.sheet import Sheet
+from plategait.simulation.run import simulate, simulate_all
 
 CHEESE = preset("cheese").scenario
 ONE_NODE = Scenario(
@@ -147,7 +147,7 @@ import resource, sys
 import numpy as np
 from plategait.engine import cpu, memory
 from plategait.engine.recording import Run
-from plategait.presets import preset
+from plategait.model.presets import preset
 
 def leave(room):
     taken = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()

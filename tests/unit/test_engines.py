@@ -13,8 +13,8 @@ from plategait.engine.channels import CHANNELS
 from plategait.engine.engines import ENGINES, Engine, Row
 from plategait.engine.recording import Run
 from plategait.errors import InputError
-from plategait.presets import preset
-from plategait.simulation import simulate
+from plategait.model.presets import preset
+from plategait.simulation.run import simulate
 
 SHORT = preset("cheese").scenario.replace(duration=0.03)
 RUNS = [Run(SHORT, offset=(1e-4, 0.0, 0.1), snapshot_interval=0.01), Run(SHORT.replace(**{"motion.frequency": 40.0}))]

@@ -11,12 +11,12 @@ import pytest
 from plategait.campaign.figures import plot_campaign
 from plategait.campaign.opened import open_sweep
 from plategait.campaign.run import sweep
-from plategait.curve import spin_curve
-from plategait.ensemble import Ensemble, fails, mean_of_unfailed, together
-from plategait.observables import student_95
-from plategait.observation import Observation
-from plategait.presets import preset
-from plategait.simulation import Simulation, simulate
+from plategait.curve.curve import spin_curve
+from plategait.model.presets import preset
+from plategait.simulation.ensemble import Ensemble, fails, mean_of_unfailed, together
+from plategait.simulation.observables import student_95
+from plategait.simulation.observation import Observation
+from plategait.simulation.run import Simulation, simulate
 from plategait.thesis.cases import Case
 from plategait.thesis.runs import CaseRuns
 

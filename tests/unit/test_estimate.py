@@ -10,17 +10,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import norm
 
-from plategait.curve import Curve
+from plategait.curve.curve import Curve
+from plategait.curve.lorentz import LorentzFit
+from plategait.curve.protocol import measured_as
 from plategait.errors import InputError
-from plategait.estimate import parameters
+from plategait.estimate import unknowns as parameters
 from plategait.estimate.emulator import brackets, fit_rates, fit_run_off, log_between
 from plategait.estimate.judgement import judge
 from plategait.estimate.linear import estimate_linear, line
 from plategait.estimate.observations import Condition, observe_curves
-from plategait.estimate.parameters import FRICTION_ANGLE, NATURAL_FREQUENCY, unknowns
-from plategait.lorentz import LorentzFit
-from plategait.presets import preset
-from plategait.protocol import measured_as
+from plategait.estimate.unknowns import FRICTION_ANGLE, NATURAL_FREQUENCY, unknowns
+from plategait.model.presets import preset
 
 pytestmark = pytest.mark.linear_algebra
 

@@ -10,18 +10,18 @@ import numpy as np
 import pytest
 import typer
 
-from plategait.cli.identify_friction import friction
-from plategait.cli.identify_modes import ring
+from plategait.cli.identify.friction import friction
+from plategait.cli.identify.modes import ring
 from plategait.errors import InputError
-from plategait.fragment import read_fragment
-from plategait.identify.friction import identify_friction
-from plategait.identify.ring import identify_ring
-from plategait.identify.ring_figures import plot_ring
-from plategait.identify.ring_recording import RingRecording, read_ring
-from plategait.identify.tilt import TiltRecording, read_tilt
-from plategait.identify.tilt_figures import plot_tilt
-from plategait.identify.tilt_synthetic import ring_recording, tilt_recording, write_ring, write_tilt
-from plategait.presets import preset
+from plategait.identify.friction.figures import plot_tilt
+from plategait.identify.friction.recording import TiltRecording, read_tilt
+from plategait.identify.friction.result import identify_friction
+from plategait.identify.friction.synthetic import ring_recording, tilt_recording, write_ring, write_tilt
+from plategait.identify.modes.figures import plot_ring
+from plategait.identify.modes.fit import identify_ring
+from plategait.identify.modes.recording import RingRecording, read_ring
+from plategait.model.fragment import read_fragment
+from plategait.model.presets import preset
 
 CHEESE = preset("cheese").scenario.sheet
 PATIENCE = 10.0  # s, for a million rows
@@ -212,7 +212,7 @@ def test_a_signal_that_rests_or_is_noise_rings_nowhere():
 @pytest.mark.linear_algebra
 @pytest.mark.parametrize("ratio", [1.0, 1.5, 4.0])
 def test_what_settles_without_ringing_is_not_determined(ratio):
-    from plategait.identify.decay import mode_columns
+    from plategait.identify.modes.decay import mode_columns
 
     time = np.arange(0, 2, 1 / 400)
     noise = np.random.default_rng(5).normal(0, 5e-5, len(time))

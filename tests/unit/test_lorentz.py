@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.stats import binom, norm
 
+from plategait.curve.lorentz import first_guess, fit_lorentzian, lorentzian
 from plategait.errors import InputError
-from plategait.lorentz import first_guess, fit_lorentzian, lorentzian
 
 pytestmark = pytest.mark.linear_algebra
 

@@ -10,16 +10,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from plategait.contact import Contact, Friction
 from plategait.engine import cpu
 from plategait.engine.recording import Run
 from plategait.errors import InputError
-from plategait.motion import PlateMotion, Samples, Wave, read_samples
-from plategait.outline import Disk, Rectangle
-from plategait.presets import PRESETS, preset
-from plategait.scenario import Plate, Scenario, Start
-from plategait.sheet import Sheet
-from plategait.simulation import simulate
+from plategait.model.contact import Contact, Friction
+from plategait.model.motion import PlateMotion, Samples, Wave, read_samples
+from plategait.model.outline import Disk, Rectangle
+from plategait.model.presets import PRESETS, preset
+from plategait.model.scenario import Plate, Scenario, Start
+from plategait.model.sheet import Sheet
+from plategait.simulation.run import simulate
 
 CHEESE = preset("cheese").scenario
 MINIMAL = {"outline": Disk(radius=0.04), "mass": 0.0136, "bending_stiffness": 1.56e-4, "axial_stiffness": 790.0}

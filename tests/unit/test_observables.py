@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plategait.observables import (
+from plategait.simulation.observables import (
     FAILURES,
     GAITS,
     first_failure,

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from plategait.errors import InputError
-from plategait.outline import MOST_CORNERS, Disk, Ellipse, Mask, Polygon, Rectangle, occupied_squares
+from plategait.model.outline import MOST_CORNERS, Disk, Ellipse, Mask, Polygon, Rectangle, occupied_squares
 
 DISK_ROWS = [4, 6, 8, 8, 8, 8, 6, 4]
 TRIANGLE = ((0.0, 0.0), (0.06, 0.0), (0.0, 0.06))

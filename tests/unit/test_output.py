@@ -9,7 +9,7 @@ import stat
 import pytest
 
 from plategait.errors import InputError
-from plategait.output import check_writable, whole_file, write_whole
+from plategait.files.output import check_writable, whole_file, write_whole
 
 
 def test_a_file_is_written_whole(tmp_path):

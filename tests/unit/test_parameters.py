@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from plategait.campaign.opened import open_sweep
 from plategait.campaign.run import sweep
 from plategait.errors import InputError
-from plategait.parameters import SHORTHANDS, find_parameter, kinetic_follows, parameters_of, value_of, with_values
-from plategait.presets import NOMINAL_NATURAL_FREQUENCY, preset
-from plategait.scenario import Plate, Scenario
+from plategait.model.parameters import SHORTHANDS, find_parameter, kinetic_follows, parameters_of, value_of, with_values
+from plategait.model.presets import NOMINAL_NATURAL_FREQUENCY, preset
+from plategait.model.scenario import Plate, Scenario
 from plategait.units import show
 
 CHEESE = preset("cheese").scenario

@@ -10,12 +10,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from plategait.curve import Curve, fit_curve
+from plategait.curve.curve import Curve, fit_curve
+from plategait.curve.lorentz import LorentzFit, fit_lorentzian, lorentzian
+from plategait.curve.peak import unseen_peak, unseen_top
+from plategait.curve.quick_lorentz import fit_shape
 from plategait.errors import InputError
-from plategait.lorentz import LorentzFit, fit_lorentzian, lorentzian
-from plategait.peak import unseen_peak, unseen_top
-from plategait.plots import plot_curve
-from plategait.thesis.shape import fit_shape
+from plategait.plots.figures import plot_curve
 
 pytestmark = pytest.mark.linear_algebra
 

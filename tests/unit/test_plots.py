@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from plategait import plots
-from plategait.curve import Curve, fit_curve
+from plategait.curve.curve import Curve, fit_curve
+from plategait.curve.lorentz import lorentzian
 from plategait.errors import InputError
-from plategait.lorentz import lorentzian
-from plategait.presets import preset
-from plategait.simulation import simulate
+from plategait.model.presets import preset
+from plategait.plots import figures as plots
+from plategait.simulation.run import simulate
 
 FREQUENCY = np.arange(14.0, 30.0)
 

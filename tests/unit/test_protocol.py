@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from plategait.presets import preset
-from plategait.protocol import REGENERATED, USUAL, Protocol, measured_as
+from plategait.curve.protocol import REGENERATED, USUAL, Protocol, measured_as
+from plategait.model.presets import preset
 from plategait.thesis.cases import Case
 
 CHEESE = preset("cheese").scenario

@@ -9,7 +9,7 @@ import pytest
 from plategait import published
 from plategait.estimate.linear import LinearEstimate, line
 from plategait.estimate.training import FREQUENCIES
-from plategait.presets import nominal_natural_frequency, preset
+from plategait.model.presets import nominal_natural_frequency, preset
 from plategait.thesis.cases import Case
 
 TABLE_4_1 = preset("cheese").scenario

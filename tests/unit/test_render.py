@@ -11,11 +11,11 @@ import pytest
 from PIL import Image
 
 from plategait.errors import InputError
-from plategait.outline import Mask, Rectangle
-from plategait.presets import preset
+from plategait.model.outline import Mask, Rectangle
+from plategait.model.presets import preset
 from plategait.render import film, filmstrip
 from plategait.render.stage import Stage
-from plategait.simulation import simulate
+from plategait.simulation.run import simulate
 
 SCENARIO = preset("cheese").scenario.replace(**{"motion.frequency": 12.0, "motion.angle": 0.2, "duration": 0.5})
 SIZE = (320, 180)

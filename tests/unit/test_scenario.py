@@ -9,13 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
-from plategait.contact import Contact, Friction
 from plategait.errors import InputError
-from plategait.motion import AXES, PlateMotion, Samples, Wave
-from plategait.outline import Disk, Ellipse, Mask, Polygon, Rectangle
-from plategait.presets import PRESETS, preset
-from plategait.scenario import Plate, Scenario, Start, read_scenario, write_scenario
-from plategait.sheet import Sheet
+from plategait.model.contact import Contact, Friction
+from plategait.model.motion import AXES, PlateMotion, Samples, Wave
+from plategait.model.outline import Disk, Ellipse, Mask, Polygon, Rectangle
+from plategait.model.presets import PRESETS, preset
+from plategait.model.scenario import Plate, Scenario, Start, read_scenario, write_scenario
+from plategait.model.sheet import Sheet
 
 CHEESE = preset("cheese").scenario
 

@@ -14,17 +14,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from plategait.curve import spin_curve
-from plategait.dataset import write_dataset
-from plategait.energy import EnergyLedger
+from plategait.curve.curve import spin_curve
 from plategait.errors import InputError
-from plategait.observables import BLOCKS, Failure, SpinRate, spin_rate
-from plategait.observation import Observation
-from plategait.outline import Disk, Mask
-from plategait.presets import preset
-from plategait.scenario import Plate, Scenario, read_scenario
-from plategait.sheet import Sheet
-from plategait.simulation import START_SPREAD, START_TURN, Simulation, simulate, simulate_all, starts
+from plategait.model.outline import Disk, Mask
+from plategait.model.presets import preset
+from plategait.model.scenario import Plate, Scenario, read_scenario
+from plategait.model.sheet import Sheet
+from plategait.simulation.dataset import write_dataset
+from plategait.simulation.energy import EnergyLedger
+from plategait.simulation.observables import BLOCKS, Failure, SpinRate, spin_rate
+from plategait.simulation.observation import Observation
+from plategait.simulation.run import START_SPREAD, START_TURN, Simulation, simulate, simulate_all, starts
 
 CHEESE = preset("cheese").scenario
 SHORT = CHEESE.replace(duration=0.5)

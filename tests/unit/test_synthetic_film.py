@@ -10,15 +10,15 @@ import cv2
 import numpy as np
 import pytest
 
+from plategait.camera.writer import schedule
 from plategait.errors import InputError
-from plategait.motion import rotation_of
-from plategait.outline import Polygon
-from plategait.presets import preset
+from plategait.model.motion import rotation_of
+from plategait.model.outline import Polygon
+from plategait.model.presets import preset
+from plategait.render.clip.clip import Studio, covered_frames, film, truth_path, usual_camera
+from plategait.render.clip.look import Look
 from plategait.render.shots import Shots
-from plategait.simulation import simulate
-from plategait.vision.film_writer import schedule
-from plategait.vision.look import Look
-from plategait.vision.synthetic import Studio, covered_frames, film, truth_path, usual_camera
+from plategait.simulation.run import simulate
 
 # The dissertation's pancake bends most; 20 deg is between its Figs. 2.8 and 2.9.
 SCENARIO = preset("pancake").scenario.replace(**{"duration": 0.8, "motion.angle": math.radians(20)})

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plategait.errors import InputError
-from plategait.table import Column, read_table
+from plategait.files.table import Column, read_table
 
 COLUMNS = {"time": Column("s"), "phi": Column("rad"), "phi_sd": Column("rad", required=False)}
 EXAMPLE = "time_s,phi_deg"

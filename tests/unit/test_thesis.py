@@ -6,17 +6,17 @@ import re
 import numpy as np
 import pytest
 
-from plategait.curve import RUN_OFF
+from plategait.curve.curve import RUN_OFF
+from plategait.curve.lorentz import fit_lorentzian, lorentzian
+from plategait.curve.quick_lorentz import fit_shape
 from plategait.errors import InputError
-from plategait.lorentz import fit_lorentzian, lorentzian
 from plategait.published import Number
 from plategait.thesis.cases import VARIANTS, Case, damping_variant, fitted_cases, reference_cases
-from plategait.thesis.friction import best_friction
 from plategait.thesis.item import Check, Comparison, verdict
+from plategait.thesis.items.friction import best_friction
 from plategait.thesis.regressions import regress, two_sided_p
 from plategait.thesis.report import prepare_folder, write_report
 from plategait.thesis.runs import run_cases
-from plategait.thesis.shape import fit_shape
 from plategait.thesis.study import NAMES, reproduce
 
 

@@ -20,9 +20,9 @@ from plategait.cli.filmed import read_size
 from plategait.cli.target import target
 from plategait.cli.track import track
 from plategait.errors import InputError
-from plategait.vision import parallax
 from plategait.vision.frames import open_video
-from plategait.vision.plate_motion import plate_motion
+from plategait.vision.object import parallax
+from plategait.vision.plate.swing import plate_motion
 from plategait.vision.spin import apparent_frequency, spin_of
 from plategait.vision.survey import Setup
 from plategait.vision.track import track as follow

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import plategait as pg
-from plategait.curve import Curve, as_curve, fit_curve, write_curve
+from plategait.curve.curve import Curve, as_curve, fit_curve, write_curve
 from plategait.errors import InputError
-from plategait.presets import as_scenario
-from plategait.scenario import write_scenario
-from plategait.simulation import RunOptions, simulate_all
+from plategait.model.presets import as_scenario
+from plategait.model.scenario import write_scenario
+from plategait.simulation.run import RunOptions, simulate_all
 
 CHEESE = pg.preset("cheese").scenario
 SHORT = CHEESE.replace(duration="0.1 s")

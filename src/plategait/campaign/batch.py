@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point, seed_of
-from plategait.campaign.trajectories import sample_count, snapshots, thinned
+from plategait.campaign.series import sample_count, snapshots, thinned
 from plategait.engine.channels import SERIES
 from plategait.engine.engines import engine
 from plategait.errors import InputError
-from plategait.simulation import Simulation, simulate_all, starts
+from plategait.simulation.run import Simulation, simulate_all, starts
 
 Rows = dict[str, NDArray]
 

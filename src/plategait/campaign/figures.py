@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from plategait.campaign.opened import Campaign
 from plategait.campaign.refine import curves
-from plategait.ensemble import Ensemble
 from plategait.errors import InputError
-from plategait.parameters import Parameter
-from plategait.plots import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, mark
+from plategait.model.parameters import Parameter
+from plategait.plots.figures import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, mark
+from plategait.simulation.ensemble import Ensemble
 from plategait.units import parse
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from plategait.campaign.layout import CHECKSUM, CODECS, FILL, LARGEST_ROOT, ROOT
 from plategait.campaign.plan import Sweep, sweep_of_json
 from plategait.campaign.points import described
 from plategait.errors import InputError
-from plategait.input import UnreadableError, plain_bytes
+from plategait.files.input import UnreadableError, plain_bytes
 
 
 def plan_of(path: Path, root: dict[str, Any]) -> Sweep:

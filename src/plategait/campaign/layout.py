@@ -24,8 +24,8 @@ from plategait.campaign.lock import NAME as LOCK
 from plategait.campaign.points import Point, columns
 from plategait.campaign.seal import SEAL, is_sealed, sealed
 from plategait.errors import InputError
-from plategait.input import UnreadableError, plain_bytes
-from plategait.parameters import Parameter
+from plategait.files.input import UnreadableError, plain_bytes
+from plategait.model.parameters import Parameter
 
 ROOT, CHECKSUM = "zarr.json", "checksum"
 # Of the metadata, bytes: plans of millions of values are in them.

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point, base_points
 from plategait.campaign.store import Store, check_path
-from plategait.ensemble import TAKEN, Ensemble, together
 from plategait.errors import InputError
+from plategait.simulation.ensemble import TAKEN, Ensemble, together
 
 if TYPE_CHECKING:
     import xarray

@@ -10,14 +10,14 @@ from typing import Any, Literal
 
 from pydantic import Field, model_validator
 
-from plategait.campaign.parameters import read_values
+from plategait.campaign.values import read_values
 from plategait.engine.channels import check_series
 from plategait.engine.engines import Engine
 from plategait.errors import InputError
-from plategait.model import Model
-from plategait.parameters import Parameter, Value, find_parameter, with_values
-from plategait.presets import PRESETS, as_scenario
-from plategait.scenario import Scenario, read_scenario, read_toml, write_scenario
+from plategait.model.base import Model
+from plategait.model.parameters import Parameter, Value, find_parameter, with_values
+from plategait.model.presets import PRESETS, as_scenario
+from plategait.model.scenario import Scenario, read_scenario, read_toml, write_scenario
 from plategait.units import ANGULAR_FREQUENCY, Duration
 
 EXAMPLE = "examples/sweep.toml"

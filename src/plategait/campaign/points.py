@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.campaign.parameters import MOST_VALUES
 from plategait.campaign.plan import Sweep
+from plategait.campaign.values import MOST_VALUES
 from plategait.errors import InputError
-from plategait.parameters import Value
+from plategait.model.parameters import Value
 
 Point = dict[str, Value]
 

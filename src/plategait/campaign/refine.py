@@ -8,8 +8,8 @@ import numpy as np
 
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point
-from plategait.ensemble import Ensemble
 from plategait.errors import InputError
+from plategait.simulation.ensemble import Ensemble
 
 # Neighbours closer than this share of the curve's range are not parted any more.
 FINEST = 2.0**-12

@@ -17,8 +17,8 @@ from plategait.campaign.points import Point
 from plategait.campaign.refine import propose, refined_parameter
 from plategait.campaign.store import Store, with_coordinates
 from plategait.campaign.workers import Job, Workers, connect, here, on_dask
-from plategait.ensemble import TAKEN, Ensemble, together
 from plategait.errors import InputError
+from plategait.simulation.ensemble import TAKEN, Ensemble, together
 
 # Runs of a batch at least, and for each core: enough to fill the engine's lanes.
 RUNS_OF_BATCH = 64

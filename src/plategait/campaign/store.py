@@ -18,7 +18,7 @@ from plategait.campaign.batch import Rows
 from plategait.campaign.integrity import plan_of, strange_arrays
 from plategait.campaign.points import Point, columns
 from plategait.errors import InputError
-from plategait.input import UnreadableError, plain_bytes
+from plategait.files.input import UnreadableError, plain_bytes
 
 # Points lost or to come that a message names.
 _NAMED = 12

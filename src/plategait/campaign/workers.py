@@ -13,7 +13,7 @@ from plategait.campaign.identity import maker
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point
 from plategait.errors import InputError
-from plategait.input import LARGEST_JSON, read_bytes
+from plategait.files.input import LARGEST_JSON, read_bytes
 
 # Lost workers that a batch outlives.
 RETRIES = 5

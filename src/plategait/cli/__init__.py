@@ -16,7 +16,7 @@ from typer.exceptions import TyperException
 from plategait.cli import options, report
 from plategait.cli.command import Command, refuse, usage_line
 from plategait.cli.estimate import estimate
-from plategait.cli.identify import identify
+from plategait.cli.identify.commands import identify
 from plategait.cli.shoot import shoot
 from plategait.cli.sweep import plot_store, sweep
 from plategait.cli.target import target
@@ -25,15 +25,15 @@ from plategait.cli.track import track
 from plategait.cli.track_folder import track_folder
 from plategait.cli.track_strip import track_strip
 from plategait.errors import InputError, printable
-from plategait.output import PICTURES, check_outputs
-from plategait.presets import PRESETS, as_scenario, preset
-from plategait.scenario import write_scenario
+from plategait.files.output import PICTURES, check_outputs
+from plategait.model.presets import PRESETS, as_scenario, preset
+from plategait.model.scenario import write_scenario
 from plategait.units import FREQUENCY
 
 if TYPE_CHECKING:
-    from plategait.curve import Curve
-    from plategait.scenario import Scenario
-    from plategait.simulation import Simulation
+    from plategait.curve.curve import Curve
+    from plategait.model.scenario import Scenario
+    from plategait.simulation.run import Simulation
 
 INTERRUPTED = 130
 
@@ -87,7 +87,7 @@ def simulate(
 
     Exit status 1 when any of its runs failed or has an energy that does not balance.
     """
-    from plategait import simulation
+    from plategait.simulation import run as simulation
 
     check_outputs(
         (out, (".nc",), "--out"),
@@ -106,8 +106,8 @@ def simulate(
     )  # fmt: skip
     chosen = build()
     if out:
-        from plategait.dataset import check_room
         from plategait.engine.recording import Run
+        from plategait.simulation.dataset import check_room
 
         check_room(Run(chosen, snapshot_interval=simulation.FILM_INTERVAL), repeats, out)
     with report.progress_bar("simulating") as progress:
@@ -148,7 +148,7 @@ def curve(
     as_json: options.Json = False,
 ) -> None:
     """Spin rate over a range of plate frequencies, with gaits, failures and the Lorentz fit."""
-    from plategait.curve import parse_frequencies, spin_curve, write_curve
+    from plategait.curve.curve import parse_frequencies, spin_curve, write_curve
 
     check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
     options.refuse_idle_seed(context, repeats)
@@ -174,7 +174,7 @@ def fit(
     as_json: options.Json = False,
 ) -> None:
     """Fit the Lorentz function (5.5) to a spin curve; failed points are left out."""
-    from plategait.curve import fit_curve, fit_summary, read_curve
+    from plategait.curve.curve import fit_curve, fit_summary, read_curve
 
     check_outputs((plot, PICTURES, "--plot"))
     result = fit_curve(read_curve(curve_file))
@@ -200,7 +200,7 @@ def modes(
     chosen = options.build(scenario, sheet=sheet, natural_frequency=natural_frequency).sheet
     found = chosen.free_modes
     if plot:
-        from plategait.plots import plot_modes, save
+        from plategait.plots.figures import plot_modes, save
 
         save(plot_modes(chosen), plot)
     if not as_json:
@@ -266,7 +266,7 @@ def _drawn(
     """Spin rates of draws of what was measured: median and 95 % interval, deg/s, and how many failed."""
     import numpy as np
 
-    from plategait import simulation
+    from plategait.simulation import run as simulation
 
     generator = np.random.default_rng(seed)
     scenarios = [build(generator=generator) for _ in range(draws)]
@@ -282,11 +282,11 @@ def _write_pictures(
     result: Simulation, out: Path | None, plot: Path | None, film: Path | None, filmstrip: Path | None
 ) -> None:
     if out:
-        from plategait.dataset import write_dataset
+        from plategait.simulation.dataset import write_dataset
 
         write_dataset(result, out)
     if plot:
-        from plategait.plots import plot_run, save
+        from plategait.plots.figures import plot_run, save
 
         save(plot_run(result), plot)
     if film or filmstrip:
@@ -300,7 +300,7 @@ def _write_pictures(
 
 def _plot_curve(result: Curve, plot: Path | None) -> None:
     if plot:
-        from plategait.plots import plot_curve, save
+        from plategait.plots.figures import plot_curve, save
 
         save(plot_curve(result), plot)
 

@@ -11,18 +11,18 @@ import typer
 
 from plategait.cli import options, report
 from plategait.cli.command import refuse, take_only
+from plategait.curve.protocol import USUAL, Protocol, measured_as
 from plategait.errors import InputError
-from plategait.outline import Disk
-from plategait.output import PICTURES, check_outputs
-from plategait.protocol import USUAL, Protocol, measured_as
-from plategait.scenario import Scenario
+from plategait.files.output import PICTURES, check_outputs
+from plategait.model.outline import Disk
+from plategait.model.scenario import Scenario
 from plategait.units import ANGLE, ANGULAR_FREQUENCY, PLATE_ANGLE, Quantity
 
 if TYPE_CHECKING:
-    from plategait.curve import Curve
+    from plategait.curve.curve import Curve
     from plategait.estimate.planning import Plan
     from plategait.estimate.result import Estimate
-    from plategait.motion import PlateMotion
+    from plategait.model.motion import PlateMotion
 
 Method = Literal["posterior", "linear", "quadratic"]
 Coefficients = Literal["published", "refitted"]
@@ -88,7 +88,7 @@ def estimate(
     as_json: options.Json = False,
 ) -> None:
     """Read stiffness and friction off measured spin curves, with intervals."""
-    from plategait.curve import read_curve
+    from plategait.curve.curve import read_curve
 
     check_outputs((out, (".toml",), "--out"), (plot, PICTURES, "--plot"))
     _refuse_idle(context, method)
@@ -192,9 +192,9 @@ def _linear(
     as_json: bool,
 ) -> None:
     """The source's method on one curve."""
-    from plategait.curve import fit_curve
+    from plategait.curve.curve import fit_curve
     from plategait.estimate.linear import estimate_linear
-    from plategait.fragment import write_fragment
+    from plategait.model.fragment import write_fragment
 
     if len(curves) != 1:
         raise InputError("CURVE.csv", f"{len(curves)} curves", f"one curve for --method {method}", "--method posterior")
@@ -244,7 +244,7 @@ def _posterior(
 ) -> None:
     """The engine in the loop."""
     from plategait.estimate.result import estimate_parameters as run
-    from plategait.fragment import write_fragment
+    from plategait.model.fragment import write_fragment
 
     with report.progress_bar("estimating") as progress:
         found = run(curves, base, motions=motions, seed=seed, progress=progress, **given)
@@ -257,7 +257,7 @@ def _posterior(
     if plot:
         from plategait.estimate.figures import plot_estimate
         from plategait.estimate.prediction import predict
-        from plategait.plots import save
+        from plategait.plots.figures import save
 
         with report.progress_bar("predicting") as progress:
             predictions = predict(found.posterior, seed=seed, progress=progress)

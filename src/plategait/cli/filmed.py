@@ -53,7 +53,7 @@ def filmed_as(
     plate_frequency: float | None = None,
 ) -> Setup:
     """Set-up that the options tell, each read under its own name."""
-    from plategait.vision.camera import read_calibration
+    from plategait.camera.camera import read_calibration
     from plategait.vision.survey import Setup
 
     return Setup(

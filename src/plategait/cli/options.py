@@ -10,10 +10,10 @@ import typer
 
 from plategait.cli.command import refuse
 from plategait.engine import engines
-from plategait.fragment import overlay, read_fragment
-from plategait.parameters import find_parameter, kinetic_follows, with_values
-from plategait.presets import PRESETS, as_scenario
-from plategait.scenario import Scenario
+from plategait.model.fragment import overlay, read_fragment
+from plategait.model.parameters import find_parameter, kinetic_follows, with_values
+from plategait.model.presets import PRESETS, as_scenario
+from plategait.model.scenario import Scenario
 
 if TYPE_CHECKING:
     from numpy.random import Generator

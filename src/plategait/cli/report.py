@@ -11,12 +11,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from plategait.curve import Curve
-from plategait.energy import LEDGER_TOLERANCE
+from plategait.curve.curve import Curve
+from plategait.curve.lorentz import LorentzFit
 from plategait.errors import printable
-from plategait.lorentz import LorentzFit
-from plategait.modes import Modes
-from plategait.simulation import Simulation
+from plategait.model.modes import Modes
+from plategait.simulation.energy import LEDGER_TOLERANCE
+from plategait.simulation.run import Simulation
 
 # Work shorter than this shows no progress bar, s.
 _PATIENCE = 1.0

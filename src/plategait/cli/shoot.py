@@ -11,7 +11,7 @@ import typer
 from plategait.cli import filmed, options, report
 from plategait.cli.command import refuse
 from plategait.errors import InputError
-from plategait.output import check_writable
+from plategait.files.output import check_writable
 from plategait.units import FREQUENCY
 
 SUFFIXES = (".mp4", ".mkv", ".mov")
@@ -57,9 +57,9 @@ def shoot(
     if not markers:
         refuse(context, ["hidden"], "with --no-markers", "--markers")
     filmed.require_opencv()
-    from plategait.simulation import simulate
-    from plategait.vision.look import Look
-    from plategait.vision.synthetic import film, usual_camera
+    from plategait.render.clip.clip import film, usual_camera
+    from plategait.render.clip.look import Look
+    from plategait.simulation.run import simulate
 
     width, height = _pixels(size)
     chosen = options.build(

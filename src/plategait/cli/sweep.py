@@ -10,7 +10,7 @@ import typer
 
 from plategait.cli import options, report
 from plategait.cli.command import refuse, take_only
-from plategait.output import PICTURES, check_writable
+from plategait.files.output import PICTURES, check_writable
 
 if TYPE_CHECKING:
     from plategait.campaign.opened import Campaign
@@ -62,7 +62,7 @@ def plot_store(
     opened = open_sweep(store)
     picture = check_writable(out or store.with_suffix(".png"), PICTURES, "--out")
     from plategait.campaign.figures import plot_campaign
-    from plategait.plots import save
+    from plategait.plots.figures import save
 
     save(plot_campaign(opened), picture)
     report.print_json({"plot": str(picture)}) if as_json else print(picture)

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from plategait.cli import filmed
-from plategait.output import check_writable
+from plategait.files.output import check_writable
 
 
 def target(
@@ -19,7 +19,7 @@ def target(
     """Print the markers for a plate's corners and for the object, at true scale."""
     check_writable(out, (".pdf",), "TARGET.pdf")
     filmed.require_opencv()
-    from plategait.vision.fiducials import plate_target, write_target_pdf
+    from plategait.camera.fiducials import plate_target, write_target_pdf
 
     size = filmed.read_size(plate_size)
     side = filmed.LENGTH.read(fiducial, "--fiducial") if fiducial is not None else min(size) / 6

@@ -12,7 +12,7 @@ import typer
 
 from plategait.cli import filmed, options, report
 from plategait.errors import InputError
-from plategait.output import check_outputs
+from plategait.files.output import check_outputs
 from plategait.units import FREQUENCY
 
 if TYPE_CHECKING:

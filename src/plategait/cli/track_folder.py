@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from plategait.cli import filmed, options, report
-from plategait.output import check_outputs
+from plategait.files.output import check_outputs
 
 if TYPE_CHECKING:
     from plategait.vision.folder import Clip
@@ -36,7 +36,7 @@ def track_folder(
     """Spin curve of a folder of clips, all filmed alike."""
     check_outputs((out, (".csv",), "--out"))
     filmed.require_opencv()
-    from plategait.curve import write_curve
+    from plategait.curve.curve import write_curve
     from plategait.vision import folder as clips_of
 
     setup = filmed.filmed_as(

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from plategait.cli import filmed, options, report
-from plategait.output import check_outputs
+from plategait.files.output import check_outputs
 from plategait.units import Quantity
 
 _LINK = Quantity("m", "mm", "10 mm", above=0, at_most=1)
@@ -27,7 +27,7 @@ def track_strip(
     """Markers of a strip that sags after its release, from a high-speed film."""
     check_outputs((out, (".csv",), "--out"))
     filmed.require_opencv()
-    from plategait.vision.cantilever import track_cantilever
+    from plategait.vision.strip import track_cantilever
 
     seen = track_cantilever(
         film, fps=fps, seconds=filmed.read_part(seconds),

@@ -13,9 +13,9 @@ import plategait._native as _native  # pyright: ignore[reportMissingImports]
 from plategait.engine.memory import batch_size, check_memory
 from plategait.engine.recording import Recording, Run
 from plategait.engine.trajectories import table_step, tables
-from plategait.lattice import Lattice
-from plategait.motion import AXES
-from plategait.scenario import Scenario
+from plategait.model.lattice import Lattice
+from plategait.model.motion import AXES
+from plategait.model.scenario import Scenario
 
 Precision = Literal["float32", "float64"]
 Progress = Callable[[float], object]

@@ -9,9 +9,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.lattice import Lattice
-from plategait.motion import rotation_of
-from plategait.scenario import Scenario
+from plategait.model.lattice import Lattice
+from plategait.model.motion import rotation_of
+from plategait.model.scenario import Scenario
 
 # A plate period holds this many samples, and none is further from the next than the longest interval.
 SAMPLES_PER_PERIOD = 24

@@ -17,7 +17,7 @@ from plategait.engine.recording import Recording, Run
 from plategait.engine.tile_step import Plate, Tiles, Work, step
 from plategait.engine.tiles import Array, Pull, TileModel, contact_energy, joint_energy, joint_loss, stable_step
 from plategait.errors import InputError
-from plategait.motion import AXES
+from plategait.model.motion import AXES
 
 Which = NDArray[np.intp]
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.engine.recording import Run
-from plategait.motion import Samples
-from plategait.scenario import Scenario
+from plategait.model.motion import Samples
+from plategait.model.scenario import Scenario
 
 
 def table_step(scenario: Scenario) -> float:

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from plategait.ensemble import fails
-from plategait.estimate.parameters import Array
 from plategait.estimate.prediction import Prediction
 from plategait.estimate.result import Estimate
-from plategait.plots import BLUE, GREY, ORANGE, RED, label_axes
+from plategait.estimate.unknowns import Array
+from plategait.plots.figures import BLUE, GREY, ORANGE, RED, label_axes
+from plategait.simulation.ensemble import fails
 
 NAMES = {
     "natural_frequency": "$\\omega_n$ (π rad/s)", "friction_angle": "$\\alpha$ (deg)",

@@ -13,13 +13,13 @@ from typing import Any, Literal
 import numpy as np
 
 from plategait import published
+from plategait.curve.lorentz import LorentzFit
 from plategait.errors import InputError
-from plategait.fragment import Fragment, Measured
-from plategait.lorentz import LorentzFit
-from plategait.outline import Disk, Outline
-from plategait.presets import nominal_natural_frequency
-from plategait.scenario import Scenario
-from plategait.simulation import plain
+from plategait.model.fragment import Fragment, Measured
+from plategait.model.outline import Disk, Outline
+from plategait.model.presets import nominal_natural_frequency
+from plategait.model.scenario import Scenario
+from plategait.simulation.run import plain
 
 Coefficients = Literal["published", "refitted"]
 Method = Literal["linear", "quadratic"]

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.curve import Curve
+from plategait.curve.curve import Curve
 from plategait.errors import InputError
-from plategait.motion import PlateMotion
+from plategait.model.motion import PlateMotion
 
 Array = NDArray[np.float64]
 

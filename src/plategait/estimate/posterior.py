@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from plategait.estimate.emulator import SHARPEST_RUN_OFF
 from plategait.estimate.likelihood import Likelihood, learn
 from plategait.estimate.observations import Observations
-from plategait.estimate.parameters import Array, Unknowns
 from plategait.estimate.trials import Trials, run_trials
+from plategait.estimate.unknowns import Array, Unknowns
 
 FIRST_ROUND = 48
 LATER_ROUND = 32

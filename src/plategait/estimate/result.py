@@ -11,17 +11,17 @@ from typing import Any
 
 import numpy as np
 
-from plategait.curve import Curve, as_curve
+from plategait.curve.curve import Curve, as_curve
 from plategait.errors import InputError
 from plategait.estimate.judgement import CONFIDENCE, Finding, FitCheck, check_fit, judge
 from plategait.estimate.observations import observe_curves
-from plategait.estimate.parameters import Array, unknowns
 from plategait.estimate.posterior import Posterior, estimate_posterior
-from plategait.fragment import Fragment, Measured
-from plategait.motion import PlateMotion
-from plategait.presets import Preset, as_scenario
-from plategait.scenario import Scenario
-from plategait.simulation import plain
+from plategait.estimate.unknowns import Array, unknowns
+from plategait.model.fragment import Fragment, Measured
+from plategait.model.motion import PlateMotion
+from plategait.model.presets import Preset, as_scenario
+from plategait.model.scenario import Scenario
+from plategait.simulation.run import plain
 from plategait.units import Quantity
 
 _SHARE = Quantity("", "", "0.9")
@@ -153,7 +153,7 @@ def estimate_parameters(
         Measured. Several may have been measured at different plate amplitudes.
     scenario : Scenario, or what tells one
         A preset or its name, or a TOML file. The object's size, shape and mass, the plate's motion and the duration of
-        a run; its stiffness and friction are what is sought. See `plategait.protocol`.
+        a run; its stiffness and friction are what is sought. See `plategait.curve.protocol`.
     motions : sequence of PlateMotion, optional
         One for each curve; the scenario's by default.
     noise : float, optional

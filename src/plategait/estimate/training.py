@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait import published
-from plategait.curve import spin_curve
-from plategait.presets import preset
-from plategait.protocol import measured_as
+from plategait.curve.curve import spin_curve
+from plategait.curve.protocol import measured_as
+from plategait.model.presets import preset
 
 FREQUENCIES = {3: np.arange(13.0, 31.5, 1.0).tolist(), 12: np.arange(9.0, 16.0, 0.5).tolist()}
 """Of the plate, Hz, by A_p (deg)."""

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from plategait.estimate.emulator import brackets
 from plategait.estimate.observations import Condition
-from plategait.estimate.parameters import Array, Unknowns
-from plategait.simulation import simulate_all
+from plategait.estimate.unknowns import Array, Unknowns
+from plategait.simulation.run import simulate_all
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from plategait.fragment import Measured
+from plategait.model.fragment import Measured
 
 
 def numbers(measured: Measured | None, factor: float = 1.0) -> dict[str, Any] | None:

@@ -3,7 +3,7 @@
 Its ω_n are nominal. It calls Table 4.1's sheet 10π rad/s, and makes the others by scaling that sheet's k_b; the model's
 dish mode with that k_b is 10.32π. So ``sheet.with_natural_frequency(ω_n, nominal=NOMINAL_NATURAL_FREQUENCY)`` of Table
 4.1's sheet is the object that it calls ω_n, and what (5.6) estimates is nominal too
-(`plategait.presets.nominal_natural_frequency`).
+(`plategait.model.presets.nominal_natural_frequency`).
 """
 
 from __future__ import annotations

@@ -12,12 +12,12 @@ import numpy as np
 
 from plategait.engine.recording import Recording
 from plategait.errors import InputError
-from plategait.observation import observe
-from plategait.output import whole_file
+from plategait.files.output import whole_file
+from plategait.model.scenario import Scenario
 from plategait.render.shots import Shots
 from plategait.render.stage import Stage
 from plategait.render.text import caption, motion_in_words, write_text
-from plategait.scenario import Scenario
+from plategait.simulation.observation import observe
 
 # Film time of one plate period, s: 15 frames at 30 fps, enough to tell sliding, walking and running apart by eye.
 PERIOD_ON_FILM = 0.5

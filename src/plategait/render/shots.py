@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from plategait.engine.recording import Recording
 from plategait.errors import InputError
-from plategait.observation import observe
-from plategait.scenario import Scenario
+from plategait.model.scenario import Scenario
+from plategait.simulation.observation import observe
 
 Array = NDArray[np.float64]
 

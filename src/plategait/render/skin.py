@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.errors import InputError
-from plategait.sheet import Sheet
+from plategait.model.sheet import Sheet
 
 Array = NDArray[np.float64]
 

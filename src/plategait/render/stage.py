@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from plategait.motion import rotation_of
+from plategait.model.motion import rotation_of
+from plategait.model.scenario import Scenario
 from plategait.render.camera import Camera
 from plategait.render.skin import Faces, Skin, unit_vectors
-from plategait.scenario import Scenario
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plategait.scenario import Scenario
+from plategait.model.scenario import Scenario
 
 if TYPE_CHECKING:
     from PIL.Image import Image

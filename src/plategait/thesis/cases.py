@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from plategait import published
-from plategait.parameters import with_values
-from plategait.presets import SOLVER_DAMPING, preset
-from plategait.protocol import REGENERATED
+from plategait.curve.protocol import REGENERATED
+from plategait.model.parameters import with_values
+from plategait.model.presets import SOLVER_DAMPING, preset
+from plategait.model.scenario import Scenario
 from plategait.published import FRICTION_RATIO, NOMINAL_NATURAL_FREQUENCY, REFERENCE_ALPHA
-from plategait.scenario import Scenario
 
 # Below these the fit does not look: Hz by A_p. At 12 deg the roughest object only begins to slide at 8.4 Hz, where
 # B_p ω_p² = μ_s g, and a Lorentzian has no onset.

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from plategait import published
 from plategait.errors import InputError
-from plategait.output import whole_file, write_whole
+from plategait.files.output import whole_file, write_whole
 from plategait.thesis.item import Cell, Check, Comparison, Item, Table
 from plategait.thesis.study import Study
 from plategait.version import __version__

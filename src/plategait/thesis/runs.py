@@ -10,11 +10,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.curve import Curve, curve_of
-from plategait.observation import Observation, observe
-from plategait.simulation import simulate_all
+from plategait.curve.curve import Curve, curve_of
+from plategait.curve.quick_lorentz import Shape, fit_shape
+from plategait.simulation.observation import Observation, observe
+from plategait.simulation.run import simulate_all
 from plategait.thesis.cases import FIT_FROM, Case, fitted_cases
-from plategait.thesis.shape import Shape, fit_shape
 
 # Runs side by side: more only takes memory, as each brings its samples.
 BATCH = 1600

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
-from plategait.curve import Curve
+from plategait.curve.curve import Curve
+from plategait.curve.protocol import USUAL
 from plategait.errors import InputError
-from plategait.protocol import USUAL
-from plategait.table import read_rows
+from plategait.files.table import read_rows
 from plategait.vision.survey import Setup
 from plategait.vision.track import Track, track
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.camera.camera import Calibration
 from plategait.errors import InputError
-from plategait.vision.camera import Calibration
 from plategait.vision.frames import Frame
 
 

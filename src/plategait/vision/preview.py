@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.output import whole_file
+from plategait.files.output import whole_file
 from plategait.vision.frames import Frame
-from plategait.vision.markers import Pose
-from plategait.vision.plate import PlateView, project
+from plategait.vision.object.markers import Pose
+from plategait.vision.plate.view import PlateView, project
 
 if TYPE_CHECKING:
-    from plategait.vision.film_writer import FilmWriter
+    from plategait.camera.writer import FilmWriter
     from plategait.vision.track import FollowFrame, Track
 
 # Blue, green, red.
@@ -48,7 +48,7 @@ def preview(path: Path | str, size: tuple[float, float], fps: float = USUAL_FPS)
     InputError
         When the file cannot be written.
     """
-    from plategait.vision.film_writer import film_file
+    from plategait.camera.writer import film_file
 
     with ExitStack() as open_files:
         writer: FilmWriter | None = None

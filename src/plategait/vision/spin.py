@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.observables import BLOCKS, SETTLED_RATE, SETTLED_SHARE, student_95
+from plategait.simulation.observables import BLOCKS, SETTLED_RATE, SETTLED_SHARE, student_95
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

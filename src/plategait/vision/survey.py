@@ -9,17 +9,17 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.camera.camera import Calibration
+from plategait.camera.fiducials import plate_target
 from plategait.errors import InputError
-from plategait.vision.camera import Calibration
-from plategait.vision.fiducials import plate_target
 from plategait.vision.frames import Frame, open_video
 from plategait.vision.lens import straightener, zoomed
-from plategait.vision.markers import NOWHERE, MarkerLook, MarkerTracker, Pose, learn_look
-from plategait.vision.plate import FiducialPlate, PlateFinder, PlateView, ScalePlate
-from plategait.vision.plate_motion import focal_of
-from plategait.vision.plate_outline import OutlinePlate
-from plategait.vision.rectified import Grid
-from plategait.vision.texture import TextureTracker, learn_object
+from plategait.vision.object.markers import NOWHERE, MarkerLook, MarkerTracker, Pose, learn_look
+from plategait.vision.object.texture import TextureTracker, learn_object
+from plategait.vision.plate.outline import OutlinePlate
+from plategait.vision.plate.rectified import Grid
+from plategait.vision.plate.swing import focal_of
+from plategait.vision.plate.view import FiducialPlate, PlateFinder, PlateView, ScalePlate
 
 Array = NDArray[np.float64]
 Plane = NDArray[np.uint8]

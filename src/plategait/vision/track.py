@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.simulation import plain
+from plategait.simulation.run import plain
 from plategait.vision.frames import Frame, open_video
 from plategait.vision.lens import straightener, zoomed
-from plategait.vision.markers import Pose
-from plategait.vision.parallax import bending
-from plategait.vision.plate import PlateView, ScalePlate
-from plategait.vision.plate_motion import PlateMotion, plate_motion
+from plategait.vision.object.markers import Pose
+from plategait.vision.object.parallax import bending
+from plategait.vision.plate.swing import PlateMotion, plate_motion
+from plategait.vision.plate.view import PlateView, ScalePlate
 from plategait.vision.spin import Spin, apparent_frequency, joined, spin_of, strays
 from plategait.vision.survey import Eyes, Setup
 

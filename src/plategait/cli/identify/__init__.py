@@ -1,0 +1,1 @@
+"""The commands that turn bench recordings into parameters."""

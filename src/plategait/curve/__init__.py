@@ -1,0 +1,1 @@
+"""Spin curves: how they are measured, their peak, their Lorentz fit."""

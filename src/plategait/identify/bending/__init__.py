@@ -1,0 +1,1 @@
+"""A strip that sags after its release."""

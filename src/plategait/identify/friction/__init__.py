@@ -1,0 +1,1 @@
+"""An object on a plate that is slowly tilted."""

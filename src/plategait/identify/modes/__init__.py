@@ -1,0 +1,1 @@
+"""A sheet or strip that rings."""

@@ -1,0 +1,1 @@
+"""What is simulated: the sheet, the plate's motion, contact and friction, all of it as a scenario."""

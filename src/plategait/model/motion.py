@@ -1,0 +1,222 @@
+"""How the plate moves: sines on each degree of freedom, or a sampled trajectory, with a smooth start."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, field_validator, model_validator
+
+from plategait.errors import InputError
+from plategait.files.table import read_rows
+from plategait.model.base import Model
+from plategait.units import ANGLE, PLATE_ANGLE, PLATE_STROKE, STROKE, Angle, Delay, Frequency, Offset, Quantity, Ratio
+
+AXES = ("x", "y", "z", "rx", "ry", "rz")
+Axis = Literal["x", "y", "z", "rx", "ry", "rz"]
+
+# Samples nearer to each other or larger than any plate's are slips, and their speeds leave floating point.
+SHORTEST_SAMPLE, LARGEST_SAMPLE = 1e-9, 1e9  # s; m or rad
+
+# A ramp no longer than this is none, s: the core adds as much to what it divides by.
+SHORTEST_RAMP = 1e-12
+
+
+class Wave(Model):
+    """One sine on one degree of freedom: amplitude · sin(2π · ratio · f · t + phase)."""
+
+    axis: Axis = Field(
+        description="x (along the bar), y, z, or a rotation rx (about the bar), ry, rz", examples=['"z"']
+    )
+    amplitude: float = Field(description="length on x, y, z; angle on rx, ry, rz", examples=["0.003"])
+    ratio: Ratio = Field(default=1.0, description="frequency over the motion's frequency")
+    phase: Angle = Field(default=0.0, description="phase at the start")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _amplitude_by_axis(cls, data: Any) -> Any:
+        if isinstance(data, dict) and "amplitude" in data and data.get("axis") in AXES:
+            quantity = _amplitude_on(data["axis"])
+            return {**data, "amplitude": quantity.read(data["amplitude"], "amplitude")}
+        return data
+
+    def quantity(self, name: str) -> Quantity | None:
+        """What a field measures: the amplitude a length or an angle, by the axis."""
+        return _amplitude_on(self.axis) if name == "amplitude" else super().quantity(name)
+
+
+def _amplitude_on(axis: Axis) -> Quantity:
+    return ANGLE if axis.startswith("r") else STROKE
+
+
+class Samples(Model):
+    """A trajectory given point by point; missing axes stay put, and the last pose is kept. SI units."""
+
+    time: tuple[float, ...] = Field(examples=["[0.0, 0.01, 0.02]"])
+    x: tuple[float, ...] = ()
+    y: tuple[float, ...] = ()
+    z: tuple[float, ...] = ()
+    rx: tuple[float, ...] = ()
+    ry: tuple[float, ...] = ()
+    rz: tuple[float, ...] = ()
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Samples:
+        time = np.array(self.time)
+        if len(time) > 1 and 0 < np.diff(time).min() < SHORTEST_SAMPLE:
+            raise InputError(
+                "time",
+                f"samples {np.diff(time).min():.2g} s apart",
+                f"samples at least {SHORTEST_SAMPLE:g} s apart",
+                "[0.0, 0.01, 0.02]",
+            )
+        if len(time) < 2 or not np.isfinite(time).all() or (np.diff(time) <= 0).any() or time[0] != 0:
+            raise InputError(
+                "time", f"{len(time)} values", "2 or more finite times that rise from 0 s", "[0.0, 0.01, 0.02]"
+            )
+        for axis in AXES:
+            values = getattr(self, axis)
+            if values and (len(values) != len(time) or not np.abs(values).max() <= LARGEST_SAMPLE):
+                raise InputError(
+                    axis,
+                    f"{len(values)} values",
+                    f"{len(time)} values, one for each time, of at most {LARGEST_SAMPLE:g} in size",
+                    f"[0.0] * {len(time)}",
+                )
+        return self
+
+    def knots(self, step: float, end: float = math.inf) -> NDArray[np.float64]:
+        """Position and speed on each axis every `step` seconds, from a cubic spline: (n, 12).
+
+        They reach a knot past `end` or past the last sample, whichever comes first.
+        """
+        from scipy.interpolate import CubicSpline
+
+        time = np.arange(0, min(self.time[-1], end) + 2 * step, step)
+        within = np.minimum(time, self.time[-1])
+        table = np.zeros((len(time), 12))
+        for d, axis in enumerate(AXES):
+            if values := getattr(self, axis):
+                spline = CubicSpline(self.time, values, bc_type="natural")
+                table[:, 2 * d] = spline(within)
+                table[:, 2 * d + 1] = np.where(time < self.time[-1], spline(within, 1), 0.0)
+        return table
+
+    @property
+    def finest_step(self) -> float:
+        """Shortest time between two samples, s."""
+        return float(np.diff(self.time).min())
+
+
+def read_samples(path: Path, field: str = "samples") -> Samples:
+    """Read a trajectory from CSV with the columns time_s and any of x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg.
+
+    Parameters
+    ----------
+    path : Path
+        File to read.
+    field : str
+        What errors call it.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, or a column or number is not as said.
+    """
+    scale = {"time_s": 1.0} | {
+        f"{a}_deg" if a.startswith("r") else f"{a}_mm": math.pi / 180 if a.startswith("r") else 1e-3 for a in AXES
+    }
+    rows = [row for _, row in read_rows(path, field, '"motion.csv"')[0]]
+    names = rows.pop(0) if rows else []
+    if "time_s" not in names or not set(names) <= set(scale) or len(set(names)) < len(names):
+        said = ", ".join(names) if set(names) & set(scale) else f"{len(names)} of no known name" if names else "none"
+        raise InputError(field, f"columns {said} in {path.name}",
+                         f"time_s and any of {', '.join(list(scale)[1:])}, once each",
+                         "a first line such as time_s,x_mm,rx_deg")  # fmt: skip
+    try:
+        columns = {
+            name.split("_")[0]: tuple(float(cell) * scale[name] for cell in column)
+            for name, column in zip(names, zip(*rows, strict=True), strict=True)
+        }
+    except ValueError:
+        raise InputError(field, str(path), "one number for each column in every row", "a file without gaps") from None
+    return Samples(**columns)
+
+
+def rotation_of(pose: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(…, 3, 3) rotation Rx Ry Rz of (…, 6) poses: its columns are the plate's axes as the world sees them."""
+    (cx, cy, cz), (sx, sy, sz) = np.moveaxis(np.cos(pose[..., 3:]), -1, 0), np.moveaxis(np.sin(pose[..., 3:]), -1, 0)
+    rows = [[cy * cz, -cy * sz, sy],
+            [cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy],
+            [sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy]]  # fmt: skip
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
+class PlateMotion(Model):
+    """Motion of the plate. The short form is (4.1), (4.2): Θ(t) = −A_p sin ω_p t about the bar, X(t) = B_p sin ω_p t.
+
+    The rotation is Rx(Θx) Ry(Θy) Rz(Θz), about a point `height` below the middle of the plate's surface: the bar's axis
+    where the plate lies on the bar. `waves` add to the short form,
+    and `samples` to both.
+    """
+
+    frequency: Frequency = Field(default=24.0, description="f_p, of the sines")
+    angle: Annotated[float, PLATE_ANGLE] = Field(
+        default=math.radians(3), description="A_p, angular amplitude about the bar"
+    )
+    stroke: Annotated[float, PLATE_STROKE] = Field(default=0.003, description="B_p, linear amplitude along the bar")
+    height: Offset = Field(default=0.0, description="height of the plate's surface above the axis that it turns about")
+    ramp: Delay = Field(default=0.1, description="duration of the smooth start")
+    waves: tuple[Wave, ...] = Field(
+        default=(),
+        description="further sines, on any axis",
+        examples=['[{ axis = "z", amplitude = "1 mm" }]'],
+    )
+    samples: Samples | None = Field(
+        default=None, description="CSV file of a sampled trajectory", examples=['"motion.csv"']
+    )
+
+    @field_validator("samples", mode="before")
+    @classmethod
+    def _read_file(cls, value: Any) -> Any:
+        return read_samples(Path(value), field="") if isinstance(value, (str, Path)) else value
+
+    def terms(self) -> list[tuple[int, float, float, float]]:
+        """Sines as (degree of freedom, amplitude, frequency in Hz, phase in turns)."""
+        short = [Wave(axis="x", amplitude=self.stroke), Wave(axis="rx", amplitude=-self.angle)]
+        return [
+            (AXES.index(w.axis), w.amplitude, w.ratio * self.frequency, w.phase / (2 * math.pi))
+            for w in (*short, *self.waves)
+            if w.amplitude != 0
+        ]
+
+    def pose_at_start(self) -> NDArray[np.float64]:
+        """(6,) translations and rotations that the plate starts from, m and rad: none where it starts smoothly."""
+        pose = np.zeros(len(AXES))
+        if self.ramp > SHORTEST_RAMP:
+            return pose
+        for d, amplitude, _, phase in self.terms():
+            pose[d] += amplitude * math.sin(2 * math.pi * phase)
+        for d, axis in enumerate(AXES):
+            if self.samples is not None and (values := getattr(self.samples, axis)):
+                pose[d] += values[0]
+        return pose
+
+    @property
+    def shortest_period(self) -> float:
+        """Period of the fastest sine, s; infinite where there is none."""
+        fastest = max((frequency for _, _, frequency, _ in self.terms()), default=0.0)
+        return 1 / fastest if fastest > 0 else math.inf
+
+    @property
+    def period(self) -> float:
+        """Time after which the sines repeat, s: that of the frequency, or a multiple where ratios are not whole.
+
+        Finite however slow the plate is.
+        """
+        denominators = [Fraction(w.ratio).limit_denominator(12).denominator for w in self.waves]
+        return min(math.lcm(1, *denominators) / self.frequency, 1e300)

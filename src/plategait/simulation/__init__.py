@@ -1,0 +1,1 @@
+"""From scenarios through an engine to what the runs show."""

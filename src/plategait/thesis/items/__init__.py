@@ -1,0 +1,1 @@
+"""One function for each figure and table of the dissertation."""

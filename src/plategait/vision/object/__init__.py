@@ -1,0 +1,1 @@
+"""How the object lies, seen by markers or by texture."""

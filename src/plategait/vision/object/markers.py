@@ -1,0 +1,297 @@
+"""Two rectangular markers on the object, one in its middle and one near its rim (section 2.2.2, Fig. 2.4)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import permutations
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from plategait.vision.object.blobs import ALIKE, Blob, blobs_in
+from plategait.vision.plate.rectified import Grid
+
+Array = NDArray[np.float64]
+Plane = NDArray[np.uint8]
+
+# Distances between the markers' middles, m, that are looked for.
+LEAST_APART, MOST_APART = 6e-3, 80e-3
+# A rectangle fills this share of the smallest box around it.
+LEAST_FILL = 0.72
+# Levels that markers differ by from what is around them, and how alike the two are.
+LEAST_CONTRAST, MOST_UNLIKE = 18.0, 0.45
+# The centre's long side points at the rim within this, rad.
+POINTS_AT = math.radians(20)
+# Share of the frames looked at first that must show the same pair.
+LEAST_VOTES = 0.15
+# What a marker's area may be over its usual one, and the distance of the two, for a sure frame.
+SURE_AREA, SURE_APART = (0.55, 1.6), (0.72, 1.15)
+# The middle does not move faster than this between frames, m.
+MOST_MOVE = 10e-3
+
+
+@dataclass(frozen=True, eq=False)
+class MarkerLook:
+    """What the two markers of a clip look like.
+
+    Attributes
+    ----------
+    marker : (3,) array
+        Their colour, in Y, U, V.
+    grounds : (k, 3) array
+        Colours that they are told from: of the object around them, and of the plate.
+    areas : (2,) array
+        Of the centre and the rim marker, m².
+    apart : float
+        Distance of their middles, m.
+    long : bool
+        Whether the centre marker is long enough that its direction counts.
+    centre : (2,) array
+        Where the centre marker was seen, m.
+    others : int
+        Further pairs that look the same: other objects.
+    """
+
+    marker: Array
+    grounds: Array
+    areas: Array
+    apart: float
+    long: bool
+    centre: Array
+    others: int = 0
+
+    def likeness(self, patch: Plane) -> Plane:
+        """(rows, columns): 0 for the grounds' colours, `ALIKE` for the markers' (bytes are quick)."""
+        import cv2
+
+        kernels = []
+        for ground in self.grounds:
+            difference = self.marker - ground
+            # Colour outlives shade: where there is enough of it, brightness counts less.
+            weight = np.array([0.25 if np.hypot(*difference[1:]) > 30 else 1.0, 1.0, 1.0])
+            along = weight * difference / float(weight @ difference**2)
+            kernels.append(ALIKE * np.append(along, -float(along @ ground)))
+        # Sums below 0 become 0, those above 255 become 255.
+        each = [cv2.transform(patch, kernel[None]) for kernel in kernels]
+        return (each[0] if len(each) == 1 else cv2.min(each[0], each[1])).astype(np.uint8, copy=False)
+
+
+class Pose(NamedTuple):
+    """The object in one picture: middle (x, y), m; angle, rad; why it is uncertain; distance of the markers, m."""
+
+    x: float
+    y: float
+    angle: float
+    reason: str = ""
+    apart: float = math.nan
+
+
+NOWHERE = Pose(math.nan, math.nan, math.nan, "markers not seen")
+
+
+def learn_look(patches: list[Plane], grid: Grid, mask: Plane) -> MarkerLook | None:
+    """What the markers look like, from some frames of a clip; None where there is no such pair in enough of them."""
+    found = [pairs_in(patch, grid, mask) for patch in patches]
+    best = [pairs[0] for pairs in found if pairs]
+    if len(best) < max(2, LEAST_VOTES * len(patches)):
+        return None
+    colours = np.array([pair.marker - pair.ground for pair in best])
+    middle = np.median(colours, axis=0)
+    same = np.linalg.norm(colours - middle, axis=1) < MOST_UNLIKE * np.linalg.norm(middle)
+    agreeing = [pair for pair, like in zip(best, same, strict=True) if like]
+    apart = float(np.median([pair.apart for pair in agreeing]))
+    agreeing = [pair for pair in agreeing if abs(pair.apart - apart) < 0.2 * apart]
+    if len(agreeing) < max(2, LEAST_VOTES * len(patches)):
+        return None
+    marker, ground, areas = (
+        np.median([getattr(p, k) for p in agreeing], axis=0) for k in ("marker", "ground", "areas")
+    )
+    plate = np.median([plate_colour(patch, mask) for patch in patches], axis=0)
+    grounds = np.array([g for g in (ground, plate) if np.linalg.norm(marker - g) > LEAST_CONTRAST])
+    centre = np.median([p.centre for p in agreeing[: max(3, len(agreeing) // 4)]], axis=0)
+    others = np.median([sum(_another(pairs[0], q, apart) for q in pairs[1:]) for pairs in found if pairs])
+    return MarkerLook(
+        marker, grounds, areas, apart, bool(np.mean([p.long for p in agreeing]) > 0.5), centre, int(others)
+    )
+
+
+def plate_colour(patch: Plane, allowed: Plane) -> Array:
+    """Median colour of the plate's rim, in a picture of the whole plate."""
+    rows, columns = patch.shape[:2]
+    rim = np.zeros((rows, columns), bool)
+    # The picture reaches a little beyond the plate.
+    rim[rows // 25 : -(rows // 25), columns // 25 : -(columns // 25)] = True
+    rim[rows // 8 : -(rows // 8), columns // 8 : -(columns // 8)] = False
+    return np.median(patch[rim & (allowed > 0)], axis=0)
+
+
+@dataclass(frozen=True, eq=False)
+class Pair:
+    """A candidate for the two markers in one picture."""
+
+    centre: Array
+    rim: Array
+    areas: Array
+    apart: float
+    long: bool
+    marker: Array
+    ground: Array
+    score: float
+
+
+def _another(first: Pair, pair: Pair, apart: float) -> bool:
+    """Whether a pair is one of another object: as large, and nowhere near the first."""
+    far = min(np.linalg.norm(a - b) for a in (first.centre, first.rim) for b in (pair.centre, pair.rim)) > 3e-3
+    alike = np.linalg.norm((first.marker - first.ground) - (pair.marker - pair.ground)) < MOST_UNLIKE * np.linalg.norm(
+        first.marker - first.ground
+    )
+    return bool(far and alike and pair.long == first.long and abs(pair.apart - apart) < 0.2 * apart
+                and np.all(np.abs(np.log(pair.areas / first.areas)) < 0.4))  # fmt: skip
+
+
+def pairs_in(patch: Plane, grid: Grid, mask: Plane) -> list[Pair]:
+    """Pairs of rectangles of one colour that form a radial line, the likeliest first."""
+    import cv2
+
+    width = max(3, round(15e-3 / grid.pitch) | 1)
+    kernel = np.ones((width, width), np.uint8)
+    pairs: list[Pair] = []
+    for channel in range(3):
+        plane = np.ascontiguousarray(patch[..., channel])
+        for operation in (cv2.MORPH_BLACKHAT, cv2.MORPH_TOPHAT):
+            hat = cv2.morphologyEx(plane, operation, kernel) * mask
+            level, _ = cv2.threshold(hat[mask > 0], 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
+            if level < LEAST_CONTRAST / 2:
+                continue
+            blobs = [b for b in blobs_in((hat > level).astype(np.uint8), grid) if b.fill > LEAST_FILL]
+            pairs += _pairs(blobs[:12], patch, grid)
+    return sorted(pairs, key=lambda pair: -pair.score)
+
+
+def _pairs(blobs: list[Blob], patch: Plane, grid: Grid) -> list[Pair]:
+    colours = [_colours(patch, grid, blob) for blob in blobs]
+    pairs = []
+    for i, j in permutations(range(len(blobs)), 2):
+        a, b = blobs[i], blobs[j]
+        line = b.middle - a.middle
+        apart = float(np.hypot(*line))
+        if not LEAST_APART < apart < MOST_APART or max(a.area, b.area) > 4 * min(a.area, b.area):
+            continue
+        long = a.aspect > 1.5
+        aligned = math.cos(_half_turn(math.atan2(line[1], line[0]) - a.axis)) if long else 0.0
+        if (long and aligned < math.cos(POINTS_AT)) or a.aspect < b.aspect - 0.3:
+            continue
+        (m1, g1), (m2, g2) = colours[i], colours[j]
+        contrast = float(min(np.linalg.norm(m1 - g1), np.linalg.norm(m2 - g2)))
+        unlike = float(np.linalg.norm(m1 - m2) + np.linalg.norm(g1 - g2)) / max(contrast, 1.0)
+        if contrast < LEAST_CONTRAST or unlike > 1.0:
+            continue
+        score = contrast * a.fill * b.fill * (1.0 + 0.5 * aligned) * (1 - 0.5 * unlike)
+        areas = np.array([a.area, b.area])
+        pairs.append(Pair(a.middle, b.middle, areas, apart, long, (m1 + m2) / 2, (g1 + g2) / 2, score))
+    return pairs
+
+
+def _colours(patch: Plane, grid: Grid, blob: Blob) -> tuple[Array, Array]:
+    """Colour inside a blob and in a ring around it."""
+    column, row = grid.pixels(blob.middle)
+    inner = max(1.0, 0.3 * math.sqrt(blob.area) / grid.pitch)
+    outer = 1.1 * math.sqrt(blob.area * max(blob.aspect, 1.0)) / grid.pitch + 2
+    r = int(outer) + 2
+    top, left = max(0, int(row) - r), max(0, int(column) - r)
+    part = patch[top : int(row) + r + 1, left : int(column) + r + 1].astype(float)
+    ys, xs = np.mgrid[top : top + part.shape[0], left : left + part.shape[1]]
+    distance = np.hypot(xs - column, ys - row)
+    ring = np.abs(distance - outer) < 1.5
+    inside = distance < inner
+    if not ring.any() or not inside.any():
+        return np.zeros(3), np.zeros(3)
+    return np.median(part[inside], axis=0), np.median(part[ring], axis=0)
+
+
+class MarkerTracker:
+    """Follows the two markers from picture to picture.
+
+    Parameters
+    ----------
+    look : MarkerLook
+    """
+
+    def __init__(self, look: MarkerLook) -> None:
+        self.look = look
+        self._centre = look.centre
+        self._lost = 0
+
+    @property
+    def window(self) -> tuple[Array, float]:
+        """Middle and reach, m, of where to look next."""
+        return self._centre, 1.25 * self.look.apart + 8e-3 + self._reach
+
+    @property
+    def _reach(self) -> float:
+        return MOST_MOVE + 2e-3 * min(self._lost, 30)
+
+    def find(self, patch: Plane, grid: Grid, mask: Plane) -> Pose:
+        """Pose in a warped picture, among what the mask allows."""
+        likeness = self.look.likeness(patch) * mask
+        blobs = blobs_in((likeness > ALIKE // 2).astype(np.uint8), grid, likeness)
+        reach = self._reach
+        area, rim_area = self.look.areas
+        centres = [b for b in blobs if _within(b.area / area, (0.4, 1.9)) and self._off(b) < reach]
+        pairs = [
+            (c, r)
+            for c in centres
+            for r in blobs
+            if r is not c and _within(r.area / rim_area, (0.35, 1.9)) and _within(self._apart(c, r), (0.55, 1.25))
+            and self._aside(c, r) < 2 * POINTS_AT
+        ]  # fmt: skip
+        if not pairs:
+            self._lost += 1
+            return NOWHERE._replace(reason="rim marker not seen" if centres else "centre marker not seen")
+        pairs.sort(key=lambda pair: self._cost(*pair))
+        centre, rim = pairs[0]
+        line = rim.middle - centre.middle
+        reason = ""
+        if not (_within(centre.area / area, SURE_AREA) and _within(rim.area / rim_area, SURE_AREA)):
+            reason = "marker partly hidden"
+        elif not _within(self._apart(centre, rim), SURE_APART):
+            reason = "markers at another distance"
+        elif self._aside(centre, rim) > POINTS_AT:
+            reason = "markers not in line"
+        elif len(pairs) > 1 and self._cost(*pairs[1]) < self._cost(*pairs[0]) + 0.25:
+            reason = "two pairs of markers alike"
+        if not reason:
+            self._centre, self._lost = centre.middle, 0
+        else:
+            self._lost += 1
+        x, y = (float(v) for v in centre.middle)
+        return Pose(x, y, math.atan2(line[1], line[0]), reason, float(np.hypot(*line)))
+
+    def _off(self, blob: Blob) -> float:
+        return float(np.hypot(*(blob.middle - self._centre)))
+
+    def _apart(self, centre: Blob, rim: Blob) -> float:
+        return float(np.hypot(*(rim.middle - centre.middle))) / self.look.apart
+
+    def _aside(self, centre: Blob, rim: Blob) -> float:
+        """Angle between the centre marker's long side and the line to the rim marker, rad; 0 for a square one."""
+        if not self.look.long or centre.aspect < 1.25:
+            return 0.0
+        line = rim.middle - centre.middle
+        return abs(_half_turn(math.atan2(line[1], line[0]) - centre.axis))
+
+    def _cost(self, centre: Blob, rim: Blob) -> float:
+        areas = np.log(np.array([centre.area, rim.area]) / self.look.areas)
+        apart = 3 * abs(self._apart(centre, rim) - 1)
+        return float(np.abs(areas).sum() + apart + self._aside(centre, rim) + self._off(centre) / MOST_MOVE)
+
+
+def _half_turn(angle: float) -> float:
+    """Angle modulo half a turn, from -90 to 90 deg."""
+    return (angle + math.pi / 2) % math.pi - math.pi / 2
+
+
+def _within(value: float, limits: tuple[float, float]) -> bool:
+    return limits[0] <= value <= limits[1]

@@ -1,0 +1,1 @@
+"""Where the plate is, how it swings, and the plate seen straight."""
