@@ -12,7 +12,7 @@ from benchmarks.fuzz_inputs import Draw, sheet_fields
 from plategait.model.motion import AXES
 from plategait.model.presets import PRESETS, preset
 from plategait.model.scenario import Scenario
-from plategait.simulation.run import Simulation
+from plategait.simulation.result import Simulation
 
 # A sheet may move this many times faster than any point of the plate ever does, and fall.
 BOUNCE = 3.0

@@ -21,8 +21,11 @@ from benchmarks.fuzz_edge import absurdities, edge_fields
 from benchmarks.fuzz_inputs import Draw, command, motion_fields, scenario_fields
 from plategait import cli
 from plategait.errors import InputError
-from plategait.model.scenario import Scenario, read_scenario, write_scenario
-from plategait.simulation.run import Simulation, simulate_all
+from plategait.model.scenario import Scenario
+from plategait.model.scenario_file import read_scenario, write_scenario
+from plategait.simulation.dataset import dataset_of
+from plategait.simulation.result import Simulation
+from plategait.simulation.run import simulate_all
 
 LONGEST_LINE = 1000  # characters of a message
 # Of a scenario, and of one at an edge, which takes its time to fall: longer ones are cut, so that thousands take
@@ -65,7 +68,7 @@ def try_scenario(seed: int, index: int, tell: Callable[[str], None]) -> Case:
         if draw.chance(0.1):
             wrong += _unlike_its_file(scenario)
         if draw.chance(0.01):
-            found[0].to_dataset()
+            dataset_of(found[0])
     except InputError as error:
         return Case("refused", _unfit_message(str(error)))
     except Exception:

@@ -47,10 +47,12 @@ if TYPE_CHECKING:
     from plategait.model.scenario import Plate as Plate
     from plategait.model.scenario import Scenario as Scenario
     from plategait.model.scenario import Start as Start
-    from plategait.model.scenario import read_scenario as read_scenario
-    from plategait.model.scenario import write_scenario as write_scenario
+    from plategait.model.scenario_file import read_scenario as read_scenario
+    from plategait.model.scenario_file import write_scenario as write_scenario
     from plategait.model.sheet import Sheet as Sheet
-    from plategait.simulation.run import Simulation as Simulation
+    from plategait.simulation.dataset import dataset_of as dataset_of
+    from plategait.simulation.dataset import write_dataset as write_dataset
+    from plategait.simulation.result import Simulation as Simulation
     from plategait.simulation.run import simulate as simulate
     from plategait.simulation.run import simulate_all as simulate_all
     from plategait.version import __version__ as __version__
@@ -59,19 +61,22 @@ _HOMES = {
     "campaign.opened": ("Campaign", "open_sweep"),
     "campaign.plan": ("Sweep", "read_sweep"),
     "campaign.run": ("sweep",),
-    "model.contact": ("Contact", "Friction"),
     "curve.curve": ("Curve", "read_curve", "spin_curve", "write_curve"),
+    "curve.lorentz": ("LorentzFit", "fit_lorentzian"),
     "errors": ("InputError",),
     "estimate.planning": ("next_measurement",),
     "estimate.result": ("Estimate", "estimate_parameters"),
+    "model.contact": ("Contact", "Friction"),
     "model.fragment": ("Fragment", "read_fragment", "write_fragment"),
-    "curve.lorentz": ("LorentzFit", "fit_lorentzian"),
     "model.motion": ("PlateMotion", "Samples", "Wave"),
     "model.outline": ("Disk", "Ellipse", "Mask", "Polygon", "Rectangle"),
     "model.presets": ("PRESETS", "preset"),
-    "model.scenario": ("Plate", "Scenario", "Start", "read_scenario", "write_scenario"),
+    "model.scenario": ("Plate", "Scenario", "Start"),
+    "model.scenario_file": ("read_scenario", "write_scenario"),
     "model.sheet": ("Sheet",),
-    "simulation.run": ("Simulation", "simulate", "simulate_all"),
+    "simulation.dataset": ("dataset_of", "write_dataset"),
+    "simulation.result": ("Simulation",),
+    "simulation.run": ("simulate", "simulate_all"),
     "version": ("__version__",),
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from plategait.identify.bending.result import identify_bending
-from plategait.identify.bending.synthetic import cantilever_recording, press_recording
+from plategait.identify.bending.synthetic import cantilever_recording
 from plategait.identify.compression.result import Pressing, convert, identify_compression
+from plategait.identify.compression.synthetic import press_recording
 
 PER_DEGREE = 1e-3 * 180 / np.pi  # from N mm/deg to N m/rad
 K_B, C_B = 2.72e-3 * PER_DEGREE, 4.23e-6 * PER_DEGREE

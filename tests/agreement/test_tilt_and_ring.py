@@ -9,9 +9,10 @@ import pytest
 
 from plategait.identify.friction.recording import TiltRecording
 from plategait.identify.friction.result import identify_friction
-from plategait.identify.friction.synthetic import ring_recording, tilt_recording
+from plategait.identify.friction.synthetic import tilt_recording
 from plategait.identify.modes.fit import identify_ring
 from plategait.identify.modes.recording import RingRecording
+from plategait.identify.modes.synthetic import ring_recording
 from plategait.model.presets import preset
 
 CHEESE = preset("cheese").scenario.sheet

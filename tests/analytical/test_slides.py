@@ -11,10 +11,11 @@ from bench import flat, run, strip
 from plategait.identify.friction.recording import Tilt, TiltRecording, smooth_tilt
 from plategait.identify.friction.result import identify_friction
 from plategait.identify.friction.slide import fit_slide
-from plategait.identify.friction.synthetic import ring_recording, slide_length, tilt_recording
+from plategait.identify.friction.synthetic import slide_length, tilt_recording
 from plategait.identify.modes.decay import fit_decays, matrix_pencil, mode_columns
 from plategait.identify.modes.fit import identify_ring
 from plategait.identify.modes.recording import RingRecording
+from plategait.identify.modes.synthetic import ring_recording
 from plategait.model.presets import preset
 from plategait.theory.rigid import GRAVITY
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy import linalg
 
-from plategait.identify.bending.recording import angles_of_markers
 from plategait.theory.two_links import (
     Joints,
     Strip,
+    angles_of_markers,
     between,
     driven_rate,
     energy,

@@ -16,7 +16,7 @@ import pytest
 from plategait.cli import main
 from plategait.curve.curve import COLUMNS, read_curve
 from plategait.model.presets import PRESETS, preset
-from plategait.model.scenario import read_scenario, write_scenario
+from plategait.model.scenario_file import read_scenario, write_scenario
 from plategait.simulation.run import simulate
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))

@@ -17,7 +17,7 @@ from plategait.cli import main
 from plategait.files.input import LARGEST_TABLE, LARGEST_TOML
 from plategait.files.table import MOST_COLUMNS
 from plategait.model.presets import preset
-from plategait.model.scenario import write_scenario
+from plategait.model.scenario_file import write_scenario
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
 SECRET = "hunter2"

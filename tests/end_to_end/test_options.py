@@ -185,7 +185,7 @@ def files(tmp_path_factory) -> Path:
     from plategait.campaign.run import sweep
     from plategait.identify.bending.recording import read_angles
     from plategait.model.presets import preset
-    from plategait.model.scenario import write_scenario
+    from plategait.model.scenario_file import write_scenario
     from plategait.render.clip.strip import film_cantilever
 
     folder = tmp_path_factory.mktemp("files")

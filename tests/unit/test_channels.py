@@ -10,6 +10,7 @@ from plategait.campaign.series import thinned
 from plategait.engine.channels import CHANNELS, ROTATION, SERIES, check_series
 from plategait.errors import InputError
 from plategait.model.presets import preset
+from plategait.simulation.dataset import dataset_of
 from plategait.simulation.run import simulate
 
 
@@ -21,7 +22,7 @@ def test_the_channels_are_the_core_s_own_in_its_order():
 def test_every_channel_is_recorded_and_every_series_but_the_time_is_written():
     simulation = simulate(preset("cheese").scenario.replace(duration=0.2))
     assert list(simulation.recordings[0].channels) == list(CHANNELS)
-    data = simulation.to_dataset()
+    data = dataset_of(simulation)
     for name in set(SERIES) - {ROTATION.name}:
         assert data[name].attrs == {"long_name": CHANNELS[name].long_name, "units": CHANNELS[name].unit}
 

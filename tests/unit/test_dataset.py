@@ -9,6 +9,7 @@ from plategait.engine.recording import Run
 from plategait.errors import InputError
 from plategait.model.presets import preset
 from plategait.simulation import dataset
+from plategait.simulation.dataset import dataset_of
 from plategait.simulation.run import FILM_INTERVAL, simulate
 
 SHORT = preset("cheese").scenario.replace(duration="0.3 s")
@@ -17,7 +18,7 @@ SHORT = preset("cheese").scenario.replace(duration="0.3 s")
 @pytest.mark.parametrize("interval", [0.0, FILM_INTERVAL, 0.05])
 def test_the_size_is_known_before_the_run(interval, tmp_path):
     simulation = simulate(SHORT, repeats=2, snapshot_interval=interval)
-    data = simulation.to_dataset()
+    data = dataset_of(simulation)
     told = 2 * dataset.dataset_bytes(Run(SHORT, snapshot_interval=interval))
     # Beside the arrays that are told there are coordinates, of a few numbers for each sample.
     assert told <= data.nbytes <= 1.1 * told
@@ -27,7 +28,7 @@ def test_the_size_is_known_before_the_run(interval, tmp_path):
 
 
 def test_shapes_are_kept_in_the_precision_that_they_have():
-    assert simulate(SHORT, snapshot_interval=FILM_INTERVAL).to_dataset()["position"].dtype == np.float32
+    assert dataset_of(simulate(SHORT, snapshot_interval=FILM_INTERVAL))["position"].dtype == np.float32
 
 
 @pytest.mark.parametrize(("what", "free"), [("memory", 1e6), ("disk", 1e5)])

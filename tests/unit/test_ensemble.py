@@ -16,7 +16,8 @@ from plategait.model.presets import preset
 from plategait.simulation.ensemble import Ensemble, fails, mean_of_unfailed, together
 from plategait.simulation.observables import student_95
 from plategait.simulation.observation import Observation
-from plategait.simulation.run import Simulation, simulate
+from plategait.simulation.result import Simulation
+from plategait.simulation.run import simulate
 from plategait.thesis.cases import Case
 from plategait.thesis.runs import CaseRuns
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from plategait.errors import InputError
-from plategait.model.fragment import Fragment, Measured, fragment_text, overlay, read_fragment, write_fragment
+from plategait.model.fragment import Fragment, fragment_text, overlay, read_fragment, write_fragment
+from plategait.model.measured import Measured
 from plategait.model.presets import preset
 
 BENT = Measured(1.5e-4, 1.5e-5, 1.2e-4, 1.8e-4)

@@ -16,10 +16,11 @@ from plategait.errors import InputError
 from plategait.identify.friction.figures import plot_tilt
 from plategait.identify.friction.recording import TiltRecording, read_tilt
 from plategait.identify.friction.result import identify_friction
-from plategait.identify.friction.synthetic import ring_recording, tilt_recording, write_ring, write_tilt
+from plategait.identify.friction.synthetic import tilt_recording, write_tilt
 from plategait.identify.modes.figures import plot_ring
 from plategait.identify.modes.fit import identify_ring
 from plategait.identify.modes.recording import RingRecording, read_ring
+from plategait.identify.modes.synthetic import ring_recording, write_ring
 from plategait.model.fragment import read_fragment
 from plategait.model.presets import preset
 
@@ -98,9 +99,9 @@ def test_units_of_the_headings_do_not_matter(tmp_path):
     rows = np.stack([100 * position, 1e3 * time, angle], axis=1)
     np.savetxt(tmp_path / "b.csv", rows, delimiter=";", header="position (cm);time [ms];angle_rad", comments="")
     a, b = (identify_friction([read_tilt(tmp_path / name)]) for name in ("a.csv", "b.csv"))
-    # Nine digits in the file; the search for the slip time amplifies them a little.
-    assert a.static.value == pytest.approx(b.static.value, rel=1e-6)
-    assert a.kinetic.value == pytest.approx(b.kinetic.value, rel=1e-5)
+    # The search for the slip time ends at steps that are small against its uncertainty: 0.03 sd apart from rounding.
+    for one_of_both, other in ((a.static, b.static), (a.kinetic, b.kinetic)):
+        assert one_of_both.value == pytest.approx(other.value, abs=0.1 * other.sd)
 
 
 # Tilts

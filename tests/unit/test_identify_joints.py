@@ -15,15 +15,18 @@ from plategait.cli.identify.bending import bending
 from plategait.cli.identify.compression import compression
 from plategait.errors import InputError
 from plategait.identify.bending import sag
-from plategait.identify.bending.figures import plot_bending, plot_compression
-from plategait.identify.bending.recording import Angles, read_angles
+from plategait.identify.bending.figures import plot_bending
+from plategait.identify.bending.recording import read_angles
 from plategait.identify.bending.result import identify_bending
-from plategait.identify.bending.synthetic import cantilever_recording, press_recording
+from plategait.identify.bending.synthetic import cantilever_recording
+from plategait.identify.compression.figures import plot_compression
 from plategait.identify.compression.result import Pressing, identify_compression, read_pressing
+from plategait.identify.compression.synthetic import press_recording
 from plategait.identify.fit import determined, fit
 from plategait.identify.series import Window, smooth, structure, thin
-from plategait.model.fragment import Measured, read_fragment
-from plategait.theory.two_links import Strip
+from plategait.model.fragment import read_fragment
+from plategait.model.measured import Measured
+from plategait.theory.two_links import Angles, Strip
 
 K_B, C_B = 1.558e-4, 2.424e-7
 K_S, C_S = 12640.0, 7.84

@@ -11,8 +11,10 @@ import pytest
 from plategait.curve.curve import Curve, fit_curve
 from plategait.curve.lorentz import lorentzian
 from plategait.errors import InputError
+from plategait.files.output import PICTURES
 from plategait.model.presets import preset
 from plategait.plots import figures as plots
+from plategait.plots.style import save
 from plategait.simulation.run import simulate
 
 FREQUENCY = np.arange(14.0, 30.0)
@@ -87,8 +89,8 @@ def test_a_run_s_plot_marks_its_failure(tmp_path):
     dashed = [line for line in figure.axes[0].get_lines() if len(set(line.get_xdata())) == 1]
     assert dashed[0].get_xdata()[0] == bad.failure.time
     assert not [line for line in good.axes[0].get_lines() if len(set(line.get_xdata())) == 1]
-    for suffix in plots.PICTURES:
-        plots.save(figure, tmp_path / f"run{suffix}")
+    for suffix in PICTURES:
+        save(figure, tmp_path / f"run{suffix}")
         assert (tmp_path / f"run{suffix}").stat().st_size > 5000
 
 
@@ -104,5 +106,5 @@ def test_a_plot_that_cannot_be_written_is_refused(tmp_path):
     figure = plots.plot_modes(preset("cheese").scenario.sheet)
     for path in (tmp_path / "a.bmp", tmp_path / "missing" / "a.png"):
         with pytest.raises(InputError, match="plot"):
-            plots.save(figure, path)
+            save(figure, path)
     assert not list(tmp_path.iterdir())

@@ -14,7 +14,8 @@ from plategait.model.contact import Contact, Friction
 from plategait.model.motion import AXES, PlateMotion, Samples, Wave
 from plategait.model.outline import Disk, Ellipse, Mask, Polygon, Rectangle
 from plategait.model.presets import PRESETS, preset
-from plategait.model.scenario import Plate, Scenario, Start, read_scenario, write_scenario
+from plategait.model.scenario import Plate, Scenario, Start
+from plategait.model.scenario_file import read_scenario, write_scenario
 from plategait.model.sheet import Sheet
 
 CHEESE = preset("cheese").scenario

@@ -18,13 +18,15 @@ from plategait.curve.curve import spin_curve
 from plategait.errors import InputError
 from plategait.model.outline import Disk, Mask
 from plategait.model.presets import preset
-from plategait.model.scenario import Plate, Scenario, read_scenario
+from plategait.model.scenario import Plate, Scenario
+from plategait.model.scenario_file import read_scenario
 from plategait.model.sheet import Sheet
-from plategait.simulation.dataset import write_dataset
+from plategait.simulation.dataset import dataset_of, write_dataset
 from plategait.simulation.energy import EnergyLedger
 from plategait.simulation.observables import BLOCKS, Failure, SpinRate, spin_rate
 from plategait.simulation.observation import Observation
-from plategait.simulation.run import START_SPREAD, START_TURN, Simulation, simulate, simulate_all, starts
+from plategait.simulation.result import Simulation
+from plategait.simulation.run import START_SPREAD, START_TURN, simulate, simulate_all, starts
 
 CHEESE = preset("cheese").scenario
 SHORT = CHEESE.replace(duration=0.5)
@@ -195,7 +197,7 @@ def test_a_ledger_that_does_not_close_is_not_averaged_away():
     assert not simulation.failed
     summary = simulation.summary()
     assert (summary["energy_closed"], summary["open_ledgers"], summary["energy_imbalance"]) == (False, 1, 0.5)
-    data = simulation.to_dataset()
+    data = dataset_of(simulation)
     assert data["energy_closed"].values.tolist() == [False, True, True]
     assert data["energy_imbalance"].values.tolist() == [0.5, 0, 0]
 
@@ -298,7 +300,7 @@ def test_turning_the_motion_around_turns_the_spin_around():
 
 
 def test_the_dataset_has_units_runs_and_samples(short):
-    data = short.to_dataset()
+    data = dataset_of(short)
     assert data.sizes["run"] == 3
     assert data.sizes["sample"] == len(short.recordings[0]["time"])
     assert data.sizes["node"] == 52
@@ -320,7 +322,7 @@ def scenario_of(attributes: dict, folder) -> Scenario:
 
 
 def test_the_dataset_says_which_scenario_it_is(short, tmp_path):
-    assert scenario_of(short.to_dataset().attrs, tmp_path) == SHORT
+    assert scenario_of(dataset_of(short).attrs, tmp_path) == SHORT
 
 
 @pytest.mark.filterwarnings("error")
@@ -331,7 +333,7 @@ def test_the_file_opens_with_xarray(short, tmp_path):
     write_dataset(short, path)
     assert list(tmp_path.iterdir()) == [path]
     with xarray.open_dataset(path) as data:
-        xarray.testing.assert_allclose(data, short.to_dataset())
+        xarray.testing.assert_allclose(data, dataset_of(short))
         assert data["centre_x"].attrs["units"] == "m"
         assert scenario_of(data.attrs, tmp_path) == SHORT
         assert data["gait"].values.tolist() == [o.gait for o in short.observations]
@@ -344,7 +346,7 @@ def test_runs_of_unequal_length_are_filled_up(monkeypatch):
     result = simulate(wild, repeats=3, snapshot_interval=0.01)
     lengths = [len(r["time"]) for r in result.recordings]
     assert all(r.diverged for r in result.recordings)
-    data = result.to_dataset()
+    data = dataset_of(result)
     assert data.sizes["sample"] == max(lengths)
     for run, length in enumerate(lengths):
         assert np.isnan(data["centre_x"][run, length:]).all()
@@ -357,7 +359,7 @@ def test_the_dataset_of_a_picture_reads_back(tmp_path, monkeypatch):
     Image.new("L", (6, 6), 0).save(tmp_path / "leaf.png")
     monkeypatch.chdir(tmp_path)
     scenario = SHORT.replace(duration=0.05, **{"sheet.outline": Mask(width_of_picture="60 mm", image="leaf.png")})
-    attributes = simulate(scenario).to_dataset().attrs
+    attributes = dataset_of(simulate(scenario)).attrs
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     assert scenario_of(attributes, elsewhere).sheet.lattice.n_nodes == 36

@@ -22,7 +22,7 @@ from plategait.cli.track import track
 from plategait.errors import InputError
 from plategait.vision.frames import open_video
 from plategait.vision.object import parallax
-from plategait.vision.plate.swing import plate_motion
+from plategait.vision.plate.swing import plate_swing
 from plategait.vision.spin import apparent_frequency, spin_of
 from plategait.vision.survey import Setup
 from plategait.vision.track import track as follow
@@ -164,7 +164,7 @@ def test_the_plate_tells_its_tilt_its_frequency_and_the_lens() -> None:
         p = np.column_stack([corners, np.ones(len(corners))]) @ H.T
         pixels = p[:, :2] / p[:, 2:] + 0.1 * noise.normal(size=(len(corners), 2))
         views.append(cv2.findHomography(corners, pixels)[0])
-    moved = plate_motion(time, np.array(views), (0.1, 0.1), (camera.matrix[0, 2], camera.matrix[1, 2]))
+    moved = plate_swing(time, np.array(views), (0.1, 0.1), (camera.matrix[0, 2], camera.matrix[1, 2]))
     # A tenth of a pixel on 150 px wide views: about 3 % of the lens, and less of the tilt over 90 frames.
     assert moved.focal == pytest.approx(camera.matrix[0, 0], rel=0.03)
     assert math.degrees(moved.tilt) == pytest.approx(10, abs=0.5)
@@ -175,7 +175,7 @@ def test_the_plate_tells_its_tilt_its_frequency_and_the_lens() -> None:
     # Frames that come unevenly show the true frequency.
     uneven = time + np.random.default_rng(7).uniform(0, 0.01, len(time))
     again = [homography_of(camera, math.radians(10) * math.sin(2 * math.pi * 24 * t), 0.0) for t in uneven]
-    assert plate_motion(uneven, np.array(again), (0.1, 0.1), (319.5, 179.5)).frequency == pytest.approx(24, abs=0.05)
+    assert plate_swing(uneven, np.array(again), (0.1, 0.1), (319.5, 179.5)).frequency == pytest.approx(24, abs=0.05)
 
 
 @pytest.fixture(scope="module")

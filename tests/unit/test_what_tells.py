@@ -12,7 +12,7 @@ import plategait as pg
 from plategait.curve.curve import Curve, as_curve, fit_curve, write_curve
 from plategait.errors import InputError
 from plategait.model.presets import as_scenario
-from plategait.model.scenario import write_scenario
+from plategait.model.scenario_file import write_scenario
 from plategait.simulation.run import RunOptions, simulate_all
 
 CHEESE = pg.preset("cheese").scenario

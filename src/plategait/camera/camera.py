@@ -9,13 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.input import LARGEST_JSON, read_text
 from plategait.files.output import whole_file
-
-Array = NDArray[np.float64]
 
 LEAST_SIZE, MOST_SIZE = 64, 16384
 _EXAMPLE = '{"width": 1280, "height": 720, "matrix": [[900, 0, 640], [0, 900, 360], [0, 0, 1]], "distortion": [0]}'
@@ -163,6 +162,13 @@ class Camera:
         depth = seen[..., 2]
         ahead = np.where(depth > 1e-6, depth, np.nan)
         return self.calibration.pixels(seen[..., :2] / ahead[..., None]), depth
+
+    def plane(self, origin: ArrayLike, u: ArrayLike, v: ArrayLike) -> Array:
+        """(3, 3) homography from coordinates along `u` and `v` on the plane through `origin` (m) to pixels.
+
+        Distortion is left out.
+        """
+        return self.matrix @ self.rotation @ np.stack([u, v, np.asarray(origin) - self.eye], axis=1)
 
     @classmethod
     def looking_at(

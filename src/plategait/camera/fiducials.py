@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.output import check_writable, write_whole
 
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 DICTIONARY = "DICT_4X4_50"
 IDS = (0, 1, 2, 3)

@@ -12,9 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.files.output import whole_file
-
-Array = NDArray[np.float64]
 
 CLOCK = 90_000
 """Ticks of the time stamps in a second."""

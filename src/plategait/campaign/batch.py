@@ -15,7 +15,8 @@ from plategait.campaign.series import sample_count, snapshots, thinned
 from plategait.engine.channels import SERIES
 from plategait.engine.engines import engine
 from plategait.errors import InputError
-from plategait.simulation.run import Simulation, simulate_all, starts
+from plategait.simulation.result import Simulation
+from plategait.simulation.run import simulate_all, starts
 
 Rows = dict[str, NDArray]
 

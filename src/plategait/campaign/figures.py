@@ -15,7 +15,7 @@ from plategait.campaign.opened import Campaign
 from plategait.campaign.refine import curves
 from plategait.errors import InputError
 from plategait.model.parameters import Parameter
-from plategait.plots.figures import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, mark
+from plategait.plots.style import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, mark
 from plategait.simulation.ensemble import Ensemble
 from plategait.units import parse
 

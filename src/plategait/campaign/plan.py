@@ -14,10 +14,12 @@ from plategait.campaign.values import read_values
 from plategait.engine.channels import check_series
 from plategait.engine.engines import Engine
 from plategait.errors import InputError
+from plategait.files.toml import read_toml
 from plategait.model.base import Model
 from plategait.model.parameters import Parameter, Value, find_parameter, with_values
 from plategait.model.presets import PRESETS, as_scenario
-from plategait.model.scenario import Scenario, read_scenario, read_toml, write_scenario
+from plategait.model.scenario import Scenario
+from plategait.model.scenario_file import read_scenario, write_scenario
 from plategait.units import ANGULAR_FREQUENCY, Duration
 
 EXAMPLE = "examples/sweep.toml"

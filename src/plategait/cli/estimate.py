@@ -257,7 +257,7 @@ def _posterior(
     if plot:
         from plategait.estimate.figures import plot_estimate
         from plategait.estimate.prediction import predict
-        from plategait.plots.figures import save
+        from plategait.plots.style import save
 
         with report.progress_bar("predicting") as progress:
             predictions = predict(found.posterior, seed=seed, progress=progress)

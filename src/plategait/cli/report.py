@@ -16,7 +16,7 @@ from plategait.curve.lorentz import LorentzFit
 from plategait.errors import printable
 from plategait.model.modes import Modes
 from plategait.simulation.energy import LEDGER_TOLERANCE
-from plategait.simulation.run import Simulation
+from plategait.simulation.result import Simulation
 
 # Work shorter than this shows no progress bar, s.
 _PATIENCE = 1.0

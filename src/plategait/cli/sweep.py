@@ -62,7 +62,7 @@ def plot_store(
     opened = open_sweep(store)
     picture = check_writable(out or store.with_suffix(".png"), PICTURES, "--out")
     from plategait.campaign.figures import plot_campaign
-    from plategait.plots.figures import save
+    from plategait.plots.style import save
 
     save(plot_campaign(opened), picture)
     report.print_json({"plot": str(picture)}) if as_json else print(picture)

@@ -16,13 +16,16 @@ from plategait.curve.lorentz import LorentzFit, fit_lorentzian
 from plategait.curve.peak import unseen_top
 from plategait.errors import InputError
 from plategait.files.output import whole_file
+from plategait.files.plain import plain
+from plategait.files.ranges import parse_frequencies
 from plategait.files.table import Column, read_table
 from plategait.model.presets import Preset, as_scenario
 from plategait.model.scenario import Scenario
 from plategait.simulation.ensemble import Ensemble, fails
 from plategait.simulation.observables import GAITS
 from plategait.simulation.observation import Observation, ensemble_of
-from plategait.simulation.run import RunOptions, Simulation, check_options, plain, simulate_all
+from plategait.simulation.result import Simulation
+from plategait.simulation.run import RunOptions, check_options, simulate_all
 from plategait.units import FREQUENCY
 
 COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure", "runs", "failed_runs")
@@ -253,32 +256,6 @@ def _frequencies(given: Sequence[float | str] | str) -> list[float]:
     if not hasattr(given, "__iter__"):
         raise InputError("frequencies", given, "several frequencies in Hz", f'"{given}, 24 Hz" or "12:30:1Hz"')
     return [FREQUENCY.read(f, "frequencies") for f in given]
-
-
-def parse_frequencies(text: str) -> list[float]:
-    """Read "12:30:1Hz" (first:last:step, both ends included), or "12, 14.5, 20 Hz", into Hz.
-
-    Raises
-    ------
-    InputError
-        When it says anything else.
-    """
-    separator = ":" if ":" in text else ","
-    pieces = [piece.strip() for piece in text.split(separator)]
-    unit = pieces[-1].lstrip("0123456789.eE+- ")
-    try:
-        # A piece without a unit takes that of the last.
-        numbers = [FREQUENCY.read(p if p[-1:].isalpha() else f"{p} {unit}".strip(), "frequency") for p in pieces]
-    except InputError:
-        numbers = []
-    if separator == "," and numbers:
-        return numbers
-    if len(numbers) == 3 and numbers[1] >= numbers[0]:
-        first, last, step = numbers
-        count = (last - first) / step + 1
-        if count < 1e5:
-            return [float(f"{first + i * step:.12g}") for i in range(math.floor(count + 1e-6))]
-    raise InputError("frequency", text, "first:last:step with a unit, last not below first", '"12:30:1Hz"')
 
 
 def write_curve(curve: Curve, path: Path | str) -> None:

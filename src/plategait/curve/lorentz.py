@@ -11,15 +11,15 @@ from functools import cache
 from typing import Any, Literal, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from plategait.arrays import Array
 from plategait.curve.peak import unseen_peak, unseen_top
 from plategait.errors import InputError
 
 # scipy, not lmfit: lmfit takes 0.9 s to import and 55 ms to fit with intervals, scipy.optimize 0.35 s and 10 ms.
 
 Interval = tuple[float, float]
-_Array = NDArray[np.float64]
 
 # How far an end of an interval is sought: a factor 100 in peak and half-width, one and a half spans in f0.
 _REACH = (np.log(100), 1.5, np.log(100))
@@ -29,7 +29,7 @@ _SIGNIFICANCE = 0.01  # of the tests that reject a given sd, or a peak
 _ROUNDING = 1e-24  # share of the squared rates under which squared residuals are rounding
 
 
-def lorentzian(frequency: ArrayLike, peak: float, f0: float, half_width: float) -> _Array:
+def lorentzian(frequency: ArrayLike, peak: float, f0: float, half_width: float) -> Array:
     """Lorentz line shape, equation (5.5).
 
     Parameters
@@ -88,7 +88,7 @@ class LorentzFit:
     interval_method: Literal["profile likelihood", "covariance"]
     scatter: Literal["given", "residual"]
 
-    def __call__(self, frequency: ArrayLike) -> _Array:
+    def __call__(self, frequency: ArrayLike) -> Array:
         """Spin rate of the fitted line at `frequency` (Hz, any shape), in the unit of the rates."""
         return lorentzian(frequency, self.peak, self.f0_hz, self.half_width_hz)
 
@@ -194,7 +194,7 @@ def fit_lorentzian(
 
 def _checked(
     frequency: ArrayLike, rate: ArrayLike, sd: ArrayLike | None, confidence: float
-) -> tuple[_Array, _Array, _Array]:
+) -> tuple[Array, Array, Array]:
     """Frequencies, rates and their sd (alike if not given) of the points that have a rate, or InputError."""
     f, y = np.asarray(frequency, dtype=float), np.asarray(rate, dtype=float)
     sds = np.full(f.shape, np.nanmax(np.abs(y), initial=0) or 1.0) if sd is None else np.asarray(sd, dtype=float)
@@ -233,7 +233,7 @@ def _threshold(cost: float, dof: int, known: bool, confidence: float) -> tuple[f
     return cost / dof * float(special.stdtrit(dof, (1 + confidence) / 2)) ** 2, False
 
 
-def _unbounded(f: _Array, peaks: Interval, centres: Interval, widths: Interval, ends_in_failure: bool) -> str | None:
+def _unbounded(f: Array, peaks: Interval, centres: Interval, widths: Interval, ends_in_failure: bool) -> str | None:
     """What the intervals leave open, if anything: see `fit_lorentzian`."""
     each = np.unique(f)
     low, high = each[0] - (each[1] - each[0]) / 2, each[-1] + (each[-1] - each[-2]) / 2
@@ -245,7 +245,7 @@ def _unbounded(f: _Array, peaks: Interval, centres: Interval, widths: Interval, 
     return None
 
 
-def _no_peak(f: _Array, y: _Array, got: str, f0: float | None = None) -> InputError:
+def _no_peak(f: Array, y: Array, got: str, f0: float | None = None) -> InputError:
     """Refusal that says where to measure more: about the peak that the line has, or else about the highest rate."""
     near = float(f[np.argmax(np.abs(y))]) if f0 is None else float(np.clip(f0, f.min(), f.max()))
     side = "beyond" if near == f.max() else "below" if near == f.min() else "around"
@@ -258,58 +258,58 @@ class _Curve:
     Rates are taken over the largest, frequencies from their middle in spans.
     """
 
-    def __init__(self, f: _Array, y: _Array, sds: _Array) -> None:
+    def __init__(self, f: Array, y: Array, sds: Array) -> None:
         self.f, self.y = f, y
         self.largest, self.centre, self.span = y[np.argmax(np.abs(y))], (f.min() + f.max()) / 2, np.ptp(f)
         self.x, self.v, self.w = (f - self.centre) / self.span, y / self.largest, np.abs(self.largest) / sds
 
-    def in_units(self, p: _Array) -> tuple[_Array, _Array, _Array]:
+    def in_units(self, p: Array) -> tuple[Array, Array, Array]:
         """Peak, f0 and half-width of p (3, ...)."""
         return self.largest * np.exp(p[0]), self.centre + self.span * p[1], self.span * np.exp(p[2])
 
-    def starts(self) -> list[_Array]:
+    def starts(self) -> list[Array]:
         """Points to start from: the guess by the inverse, and the largest rate with a quarter of the span."""
         peak, f0, half_width = first_guess(self.f, self.y)
         guess = [np.log(peak / self.largest), (f0 - self.centre) / self.span, np.log(half_width / self.span)]
         return [np.array(guess), np.array([0.0, self.x[np.argmax(self.v)], np.log(0.25)])]
 
-    def line(self, p: _Array) -> tuple[_Array, _Array, float]:
+    def line(self, p: Array) -> tuple[Array, Array, float]:
         """Line (n,), distance from f0 in half-widths (n,), and half-width."""
         peak, half_width = np.exp(np.clip(p[::2], -_LIMIT, _LIMIT))
         u = (self.x - p[1]) / half_width
         return peak / (1 + u**2), u, half_width
 
-    def residual(self, p: _Array) -> _Array:
+    def residual(self, p: Array) -> Array:
         """Weighted residuals (n,)."""
         return self.w * (self.line(p)[0] - self.v)
 
-    def jacobian(self, p: _Array) -> _Array:
+    def jacobian(self, p: Array) -> Array:
         """Derivatives (n, 3) of the weighted residuals by p."""
         line, u, half_width = self.line(p)
         common = self.w * line * 2 * u / (1 + u**2)
         return np.column_stack([self.w * line, common / half_width, common * u])
 
-    def minimise(self, start: _Array, held: int | None = None) -> tuple[_Array, float]:
+    def minimise(self, start: Array, held: int | None = None) -> tuple[Array, float]:
         """Least squares from `start`, one parameter held if asked: parameters and weighted sum of squares."""
         from scipy.optimize import least_squares
 
         free = [i for i in range(3) if i != held]
 
-        def whole(part: _Array) -> _Array:
+        def whole(part: Array) -> Array:
             p = start.copy()
             p[free] = part
             return p
 
-        def residual(part: _Array) -> _Array:
+        def residual(part: Array) -> Array:
             return self.residual(whole(part))
 
-        def jacobian(part: _Array) -> _Array:
+        def jacobian(part: Array) -> Array:
             return self.jacobian(whole(part))[:, free]
 
         found = least_squares(residual, start[free], cast("Any", jacobian), method="lm", max_nfev=_EVALUATIONS)
         return np.clip(whole(found.x), -_LIMIT, _LIMIT), 2 * float(found.cost)
 
-    def best_of(self, starts: Iterable[_Array], held: int | None = None) -> tuple[_Array, float]:
+    def best_of(self, starts: Iterable[Array], held: int | None = None) -> tuple[Array, float]:
         """Lowest of the minima reached from `starts`: see `minimise`."""
         return min((self.minimise(start, held) for start in starts), key=lambda found: found[1])
 
@@ -326,8 +326,8 @@ class _Curve:
         return bool(cost / dof > fdtri(dof, rival_dof, 1 - _SIGNIFICANCE) * least)
 
     def intervals(
-        self, best: _Array, cost: float, threshold: float
-    ) -> tuple[_Array, Literal["profile likelihood", "covariance"]]:
+        self, best: Array, cost: float, threshold: float
+    ) -> tuple[Array, Literal["profile likelihood", "covariance"]]:
         """Ends (3, 2) where the profile of each parameter rises by `threshold`, and how they were found."""
         jacobian = self.jacobian(best)
         wald = np.sqrt(np.diag(np.linalg.pinv(jacobian.T @ jacobian)) * threshold)
@@ -336,7 +336,7 @@ class _Curve:
         ends = [[self._profile_end(best, cost, threshold, i, d, wald[i]) for d in (-1, 1)] for i in range(3)]
         return np.array(ends), "profile likelihood"
 
-    def _profile_end(self, best: _Array, cost: float, threshold: float, i: int, direction: int, wald: float) -> float:
+    def _profile_end(self, best: Array, cost: float, threshold: float, i: int, direction: int, wald: float) -> float:
         """Where the cost, minimised over the other two parameters, has risen by `threshold`; infinite if nowhere."""
         from scipy.optimize import root_scalar
 

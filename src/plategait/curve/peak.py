@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from plategait.arrays import Array
 
 LEAST_SAMPLES = 3
 """Frequencies that must lie within the half width of a peak: it has a height, a place and a width."""
-
-_Array = NDArray[np.float64]
 
 
 def unseen_top(frequency: ArrayLike, rate: ArrayLike, *, ends_in_failure: bool = False) -> str | None:
@@ -61,7 +61,7 @@ def unseen_peak(
     return None
 
 
-def _heights(frequency: ArrayLike, rate: ArrayLike) -> tuple[_Array, _Array]:
+def _heights(frequency: ArrayLike, rate: ArrayLike) -> tuple[Array, Array]:
     """Distinct frequencies, rising, and the mean rate at each, positive where it has the sense of the largest."""
     f, which = np.unique(np.asarray(frequency, dtype=float), return_inverse=True)
     y = np.asarray(rate, dtype=float)

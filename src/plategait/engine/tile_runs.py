@@ -11,11 +11,12 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.engine.channels import CHANNELS
 from plategait.engine.memory import check_memory
 from plategait.engine.recording import Recording, Run
 from plategait.engine.tile_step import Plate, Tiles, Work, step
-from plategait.engine.tiles import Array, Pull, TileModel, contact_energy, joint_energy, joint_loss, stable_step
+from plategait.engine.tiles import Pull, TileModel, contact_energy, joint_energy, joint_loss, stable_step
 from plategait.errors import InputError
 from plategait.model.motion import AXES
 

@@ -16,7 +16,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from plategait.arrays import Array
+
 Coefficient = float | Array
 Friction = Literal["thesis", "adams"]
 

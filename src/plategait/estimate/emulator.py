@@ -10,7 +10,7 @@ from itertools import combinations_with_replacement
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from plategait.arrays import Array
 
 FOLDS = 5
 # Runs short of which a condition's rates are not emulated.

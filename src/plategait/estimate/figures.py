@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from plategait.arrays import Array
 from plategait.estimate.prediction import Prediction
 from plategait.estimate.result import Estimate
-from plategait.estimate.unknowns import Array
-from plategait.plots.figures import BLUE, GREY, ORANGE, RED, label_axes
+from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes
 from plategait.simulation.ensemble import fails
 
 NAMES = {

@@ -8,9 +8,10 @@ from typing import Literal
 
 import numpy as np
 
+from plategait.arrays import Array
 from plategait.estimate.likelihood import SURPRISE
 from plategait.estimate.posterior import Posterior
-from plategait.estimate.unknowns import Array, Parameter
+from plategait.estimate.unknowns import Parameter
 
 CONFIDENCE = 0.9
 # A parameter counts as determined when the data leave at most this share of the prior's standard deviation.

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
 from plategait.estimate.observations import Observations
 from plategait.estimate.trials import Trials
-from plategait.estimate.unknowns import Array, Parameter
+from plategait.estimate.unknowns import Parameter
 
 NOISE = Parameter("noise", 0.005, 0.3, True, "%", 0.01)
 """Relative standard deviation of the rates, an unknown of its own where the data do not come with theirs."""

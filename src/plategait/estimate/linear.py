@@ -15,11 +15,12 @@ import numpy as np
 from plategait import published
 from plategait.curve.lorentz import LorentzFit
 from plategait.errors import InputError
-from plategait.model.fragment import Fragment, Measured
+from plategait.files.plain import plain
+from plategait.model.fragment import Fragment
+from plategait.model.measured import Measured
 from plategait.model.outline import Disk, Outline
 from plategait.model.presets import nominal_natural_frequency
 from plategait.model.scenario import Scenario
-from plategait.simulation.run import plain
 
 Coefficients = Literal["published", "refitted"]
 Method = Literal["linear", "quadratic"]

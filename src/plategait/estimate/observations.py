@@ -9,11 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.curve.curve import Curve
 from plategait.errors import InputError
 from plategait.model.motion import PlateMotion
-
-Array = NDArray[np.float64]
 
 MOST_CONDITIONS = 60
 LEAST_RATES = 3

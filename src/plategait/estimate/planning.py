@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
 from plategait.estimate.observations import Condition
 from plategait.estimate.posterior import Posterior
 from plategait.estimate.trials import run_trials
-from plategait.estimate.unknowns import Array
 
 DRAWS = 40
 SAMPLES = 2000

@@ -13,11 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.estimate.emulator import SHARPEST_RUN_OFF
 from plategait.estimate.likelihood import Likelihood, learn
 from plategait.estimate.observations import Observations
 from plategait.estimate.trials import Trials, run_trials
-from plategait.estimate.unknowns import Array, Unknowns
+from plategait.estimate.unknowns import Unknowns
 
 FIRST_ROUND = 48
 LATER_ROUND = 32

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from plategait.arrays import Array
 from plategait.estimate.observations import Condition
 from plategait.estimate.posterior import Posterior
 from plategait.estimate.trials import run_trials
-from plategait.estimate.unknowns import Array
 
 DRAWS = 24
 POINTS = 25

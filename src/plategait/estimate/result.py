@@ -11,17 +11,19 @@ from typing import Any
 
 import numpy as np
 
+from plategait.arrays import Array
 from plategait.curve.curve import Curve, as_curve
 from plategait.errors import InputError
 from plategait.estimate.judgement import CONFIDENCE, Finding, FitCheck, check_fit, judge
 from plategait.estimate.observations import observe_curves
 from plategait.estimate.posterior import Posterior, estimate_posterior
-from plategait.estimate.unknowns import Array, unknowns
-from plategait.model.fragment import Fragment, Measured
+from plategait.estimate.unknowns import unknowns
+from plategait.files.plain import plain
+from plategait.model.fragment import Fragment
+from plategait.model.measured import Measured
 from plategait.model.motion import PlateMotion
 from plategait.model.presets import Preset, as_scenario
 from plategait.model.scenario import Scenario
-from plategait.simulation.run import plain
 from plategait.units import Quantity
 
 _SHARE = Quantity("", "", "0.9")

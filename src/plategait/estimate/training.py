@@ -10,9 +10,9 @@ import math
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from plategait import published
+from plategait.arrays import Array
 from plategait.curve.curve import spin_curve
 from plategait.curve.protocol import measured_as
 from plategait.model.presets import preset
@@ -20,7 +20,6 @@ from plategait.model.presets import preset
 FREQUENCIES = {3: np.arange(13.0, 31.5, 1.0).tolist(), 12: np.arange(9.0, 16.0, 0.5).tolist()}
 """Of the plate, Hz, by A_p (deg)."""
 REPEATS = 4
-Array = NDArray[np.float64]
 
 
 def simulated_fits(angle_deg: int) -> Array:

@@ -9,9 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.estimate.emulator import brackets
 from plategait.estimate.observations import Condition
-from plategait.estimate.unknowns import Array, Unknowns
+from plategait.estimate.unknowns import Unknowns
 from plategait.simulation.run import simulate_all
 
 

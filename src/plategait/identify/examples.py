@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from plategait.identify.bending.synthetic import cantilever_recording, press_recording
-from plategait.identify.friction.synthetic import ring_recording, tilt_recording, write_ring, write_tilt
+from plategait.identify.bending.synthetic import cantilever_recording
+from plategait.identify.compression.synthetic import press_recording
+from plategait.identify.friction.synthetic import tilt_recording, write_tilt
+from plategait.identify.modes.synthetic import ring_recording, write_ring
 from plategait.units import parse
 
 K_B, C_B = parse("2.72e-3 N*mm/deg", "N*m/rad"), parse("4.23e-6 N*mm/(deg/s)", "N*m*s/rad")

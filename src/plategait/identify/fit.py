@@ -7,12 +7,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.identify.series import structure
-from plategait.model.fragment import CONFIDENCE, Fragment, Measured
+from plategait.model.fragment import Fragment
+from plategait.model.measured import CONFIDENCE, Measured
 
-Array = NDArray[np.float64]
 # From parameters (p, batch) to what they predict (n, channels, batch).
 Model = Callable[[Array], Array]
 

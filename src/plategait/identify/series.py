@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
+from plategait.files.output import whole_file
 
 if TYPE_CHECKING:
     from scipy.interpolate import BSpline
 
-Array = NDArray[np.float64]
 
 MOST_ROWS = 20_000
 _DEGREE = 5  # the fourth derivative is continuous, so that the second, which the dynamics need, is smooth
@@ -145,3 +146,16 @@ def structure(residual: Array) -> float:
     centred = residual - residual.mean()
     total = float(centred @ centred)
     return float(centred[1:] @ centred[:-1]) / total if total > 0 else 0.0
+
+
+def rounded(values: Array, step: float) -> Array:
+    """Values rounded to multiples of a step; 0 leaves them."""
+    return np.round(values / step) * step if step else values
+
+
+def write_recording(path: Path | str, heading: list[str], columns: list[Array]) -> None:
+    """Write a recording as CSV, whole or not at all."""
+    with whole_file(path, (".csv",), "recording") as temporary:
+        np.savetxt(
+            temporary, np.column_stack(columns), fmt="%.10g", delimiter=",", header=",".join(heading), comments=""
+        )

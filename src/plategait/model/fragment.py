@@ -13,32 +13,14 @@ from numpy.typing import NDArray
 
 from plategait.errors import InputError
 from plategait.files.output import whole_file
+from plategait.files.toml import read_toml
+from plategait.model.measured import CONFIDENCE, Measured
 from plategait.model.parameters import find_parameter, kinetic_follows, with_values
-from plategait.model.scenario import Scenario, read_toml
+from plategait.model.scenario import Scenario
 from plategait.units import Quantity, show
 
-CONFIDENCE = 0.95
 _CONFIDENCE = Quantity("", "", "0.95", above=0, at_most=1)
 _HINT = "plategait identify bending CANTILEVER.csv --out bending.toml"
-
-
-@dataclass(frozen=True)
-class Measured:
-    """One measured parameter, SI.
-
-    Attributes
-    ----------
-    value : float
-    sd : float
-        Standard deviation.
-    low, high : float
-        Ends of its interval.
-    """
-
-    value: float
-    sd: float
-    low: float
-    high: float
 
 
 @dataclass(frozen=True, eq=False)

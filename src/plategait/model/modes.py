@@ -6,12 +6,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.model.lattice import Lattice
-
-_Array = NDArray[np.float64]
 
 # A lattice of 1,500 nodes takes a dense solver about a second.
 LARGEST_DENSE_LATTICE = 3000
@@ -40,7 +38,7 @@ class Mode:
 
     omega: float
     damping_ratio: float
-    shape: _Array
+    shape: Array
     name: str
 
     @property
@@ -96,7 +94,7 @@ class Modes:
         )  # fmt: skip
 
 
-def bending_operator(lattice: Lattice) -> _Array:
+def bending_operator(lattice: Lattice) -> Array:
     """(n_bends, n_nodes) small angle of each bending joint, times the pitch, per deflection."""
     operator = np.zeros((len(lattice.bends), lattice.n_nodes))
     rows = np.arange(len(lattice.bends))
@@ -105,7 +103,7 @@ def bending_operator(lattice: Lattice) -> _Array:
     return operator
 
 
-def twist_operator(lattice: Lattice) -> _Array:
+def twist_operator(lattice: Lattice) -> Array:
     """(n_cells, n_nodes) twist of each cell, times the pitch, per deflection."""
     operator = np.zeros((len(lattice.cells), lattice.n_nodes))
     rows = np.arange(len(lattice.cells))
@@ -114,7 +112,7 @@ def twist_operator(lattice: Lattice) -> _Array:
     return operator
 
 
-def transverse_matrix(lattice: Lattice, pitch: float, bending: float, torsion: float) -> _Array:
+def transverse_matrix(lattice: Lattice, pitch: float, bending: float, torsion: float) -> Array:
     """(n_nodes, n_nodes) matrix of the nodes' deflections, from the joints' bending and torsion constants.
 
     With k_b and k_t it is the stiffness matrix (N/m), with c_b and c_t the damping matrix (N s/m).
@@ -168,12 +166,12 @@ def free_modes(
     )
 
 
-def _rigid_motion(lattice: Lattice) -> _Array:
+def _rigid_motion(lattice: Lattice) -> Array:
     """(n_nodes, 1 to 3) heave, and roll and pitch of a sheet that is wide enough to have them."""
     return np.stack([np.ones(lattice.n_nodes), *(c for c in lattice.rest.T if np.ptp(c) > 0)], axis=1)
 
 
-def _eigenspaces(squared: _Array, vectors: _Array) -> list[tuple[float, _Array]]:
+def _eigenspaces(squared: Array, vectors: Array) -> list[tuple[float, Array]]:
     """ω² and an orthonormal basis (n_nodes, m) of each frequency, rising.
 
     Modes of one frequency, of which symmetric sheets and free torsion have many, are a solver's arbitrary choice; the
@@ -187,7 +185,7 @@ def _eigenspaces(squared: _Array, vectors: _Array) -> list[tuple[float, _Array]]
     return [(mean if mean > rounding else 0.0, vectors[:, part]) for mean, part in zip(means, parts, strict=True)]
 
 
-def _named_directions(lattice: Lattice, rigid: _Array, spaces: list[_Array]) -> dict[str, tuple[int, _Array]]:
+def _named_directions(lattice: Lattice, rigid: Array, spaces: list[Array]) -> dict[str, tuple[int, Array]]:
     """Space and unit direction (n_nodes,) in it of x² + y², x² − y² and xy, as far as the sheet has such modes.
 
     A shape is projected onto every space. It belongs to the lowest that holds most of it, or else to the one that holds
@@ -205,7 +203,7 @@ def _named_directions(lattice: Lattice, rigid: _Array, spaces: list[_Array]) -> 
         name: np.array([np.linalg.norm(basis.T @ ideal) for basis in spaces], dtype=np.float64)
         for name, ideal in ideals.items()
     }
-    found: dict[str, tuple[int, _Array]] = {}
+    found: dict[str, tuple[int, Array]] = {}
     for name in sorted(held, key=lambda name: -round(float(held[name].max()), _ALIKE)):
         left = [basis @ (basis.T @ ideals[name]) for basis in spaces]
         for space, direction in found.values():
@@ -218,7 +216,7 @@ def _named_directions(lattice: Lattice, rigid: _Array, spaces: list[_Array]) -> 
     return found
 
 
-def _settled(basis: _Array, directions: list[_Array]) -> _Array:
+def _settled(basis: Array, directions: list[Array]) -> Array:
     """Orthonormal basis (n_nodes, m) of the same space that begins with `directions`; the rest is the sheet's own too.
 
     Of what is left, each vector is the one that moves one node most; weights in a geometric progression keep the nodes
@@ -237,12 +235,12 @@ def _settled(basis: _Array, directions: list[_Array]) -> _Array:
     return np.concatenate([first, rest], axis=1)
 
 
-def _upwards(vector: _Array) -> _Array:
+def _upwards(vector: Array) -> Array:
     """Shape of largest deflection 1: the first of the nodes that move most moves up."""
     size = np.abs(vector)
     return vector / math.copysign(size.max(), vector[_first_largest(size)])
 
 
-def _first_largest(values: _Array) -> int:
+def _first_largest(values: Array) -> int:
     """Index of the largest value, the first of those that differ from it by rounding."""
     return int(np.argmax(values > (1 - 10**-_ALIKE) * values.max()))

@@ -14,12 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, field_validator, model_validator
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.input import LARGEST_PICTURE, read_bytes
 from plategait.model.base import Model
 from plategait.units import Length, Offset
-
-_Points = NDArray[np.float64]
 
 # Of a picture; it is held once, at two bytes each while it is read.
 MOST_PIXELS = 100_000_000
@@ -43,7 +42,7 @@ class Disk(Model):
         """Length along x and width along y, m."""
         return 2 * self.radius, 2 * self.radius
 
-    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+    def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Whether points about the middle of the bounding box lie inside."""
         return np.hypot(x, y) <= self.radius
 
@@ -59,7 +58,7 @@ class Ellipse(Model):
         """Length along x and width along y, m."""
         return self.length, self.width
 
-    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+    def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Whether points about the middle of the bounding box lie inside."""
         return np.hypot(2 * x / self.length, 2 * y / self.width) <= 1
 
@@ -75,7 +74,7 @@ class Rectangle(Model):
         """Length along x and width along y, m."""
         return self.length, self.width
 
-    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+    def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Whether points about the middle of the bounding box lie inside."""
         return (np.abs(x) <= self.length / 2) & (np.abs(y) <= self.width / 2)
 
@@ -103,7 +102,7 @@ class Polygon(Model):
         length, width = np.ptp(np.array(self.corners), axis=0)
         return float(length), float(width)
 
-    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+    def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Whether points about the middle of the bounding box lie inside (even-odd rule).
 
         A point on an edge is inside where both sides of the edge are: all points a hair around it decide.
@@ -180,7 +179,7 @@ class Mask(Model):
         columns, rows = self.pixels().shape
         return columns * self._pixel_size(), rows * self._pixel_size()
 
-    def contains(self, x: _Points, y: _Points) -> NDArray[np.bool_]:
+    def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Whether points about the middle of the bounding box lie inside."""
         pixels, (length, width) = self.pixels(), self.size()
         i = np.floor((x / length + 0.5) * pixels.shape[0]).astype(int)

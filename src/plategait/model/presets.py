@@ -12,7 +12,8 @@ from plategait.errors import InputError
 from plategait.model.contact import Contact, Friction
 from plategait.model.motion import PlateMotion
 from plategait.model.outline import Disk
-from plategait.model.scenario import Scenario, read_scenario
+from plategait.model.scenario import Scenario
+from plategait.model.scenario_file import read_scenario
 from plategait.model.sheet import Sheet
 from plategait.published import NOMINAL_NATURAL_FREQUENCY
 

@@ -2,66 +2,26 @@
 
 from __future__ import annotations
 
-import io
 import math
 import textwrap
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from plategait.files.output import PICTURES, check_writable, write_whole
+from plategait.plots.style import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, label_axes, mark, new_figure
 from plategait.simulation import observables
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.typing import ColorType
 
     from plategait.curve.curve import Curve
     from plategait.model.sheet import Sheet
     from plategait.simulation.energy import EnergyLedger
-    from plategait.simulation.run import Simulation
+    from plategait.simulation.result import Simulation
 
-# Okabe and Ito's colours, told apart by colour-blind readers and in grey.
-BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#7F7F7F"
-# As in Figs. 4.4 and 4.7.
-MARKERS = {"sliding": ("s", BLUE), "walking": ("^", GREEN), "running": ("o", RED), "": ("D", GREY)}
-PARTLY_FAILED = "half-filled: some of the runs failed"
 # Plate periods shown where single strides are to be seen.
 STRIDES = 6
-
-
-def save(figure: Figure, path: Path | str) -> None:
-    """Write a figure by its suffix (.png, .pdf, .svg), whole or not at all.
-
-    Raises
-    ------
-    InputError
-        When the file cannot be written or has another suffix.
-    """
-    # Matplotlib's PDFs do not bear a full disk.
-    content, kind = io.BytesIO(), check_writable(path, PICTURES, "plot").suffix.lower()
-    figure.savefig(content, dpi=160, format=kind.removeprefix("."))
-    write_whole(content.getbuffer(), path, PICTURES, "plot")
-
-
-def _figure(width: float, height: float) -> Figure:
-    return Figure(figsize=(width, height), layout="constrained")
-
-
-def label_axes(axes: Axes, x: str, y: str) -> None:
-    """Label both axes and leave out the frame they do not need."""
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    axes.spines[["top", "right"]].set_visible(False)
-
-
-def mark(colour: ColorType, partly_failed: bool = False) -> dict[str, Any]:
-    """How a point's mark is filled: white, or half of it in its colour where some of its runs failed."""
-    if partly_failed:
-        return {"mec": colour, "mfc": colour, "mfcalt": "white", "fillstyle": "left"}
-    return {"mec": colour, "mfc": "white"}
 
 
 def plot_curve(curve: Curve) -> Figure:
@@ -69,7 +29,7 @@ def plot_curve(curve: Curve) -> Figure:
 
     A half-filled mark is of a point at which some runs failed, a cross of one that the fit leaves out.
     """
-    figure = _figure(6.4, 4.2)
+    figure = new_figure(6.4, 4.2)
     axes = figure.add_subplot()
     f, rate, sd = curve.frequency_hz, curve.spin_rate_deg_s, curve.spin_rate_sd_deg_s
     failed, partly = curve.failed, curve.partly_failed
@@ -129,7 +89,7 @@ def _fit_in_words(curve: Curve) -> str:
 
 def plot_run(simulation: Simulation) -> Figure:
     """One run: rotation and its slope, slip of the centre, which leg touches when, and where the energy went."""
-    figure = _figure(9.0, 6.2)
+    figure = new_figure(9.0, 6.2)
     panels: Any = figure.subplots(2, 2)
     recording, observation = simulation.recordings[0], simulation.observations[0]
     motion = simulation.scenario.motion
@@ -246,7 +206,7 @@ def plot_modes(sheet: Sheet, count: int = 6) -> Figure:
     modes = sheet.free_modes.modes[:count]
     columns = min(3, max(1, len(modes)))
     rows = max(1, math.ceil(len(modes) / columns))
-    figure = _figure(2.7 * columns, 2.9 * rows)
+    figure = new_figure(2.7 * columns, 2.9 * rows)
     lattice = sheet.lattice
     figure.suptitle(f"{sheet.name}: free-vibration modes", x=0.01, ha="left", fontsize=11)
     for axes, mode in zip(np.atleast_1d(figure.subplots(rows, columns, squeeze=False).ravel()), modes, strict=False):

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from plategait.arrays import Array
 from plategait.engine.recording import Recording
 from plategait.errors import InputError
 from plategait.model.scenario import Scenario
 from plategait.simulation.observation import observe
-
-Array = NDArray[np.float64]
 
 # Fewest snapshots in a plate period that can be drawn between.
 SNAPSHOTS_PER_PERIOD = 8

@@ -9,10 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.model.sheet import Sheet
-
-Array = NDArray[np.float64]
 
 # Cells along the sheet's longer side, and nodes its surface is drawn through (a finer lattice is thinned out).
 CELLS, MOST_NODES = 80, 1000

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from plategait.arrays import Array
 from plategait.model.motion import rotation_of
 from plategait.model.scenario import Scenario
-from plategait.render.camera import Camera
 from plategait.render.skin import Faces, Skin, unit_vectors
+from plategait.render.viewpoint import framing
 
 if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageDraw import ImageDraw
 
-Array = NDArray[np.float64]
 
 # Pixels are drawn this many times finer each way, then averaged.
 FINER = 2
@@ -44,9 +44,9 @@ class Stage:
         self.slab, self.bar = 2 * SLAB * self.half[1], 2 * BAR * self.half[1]
         corners = np.concatenate([self._corners(0.0), self._corners(-self.slab)])
         framed = (corners @ rotation_of(poses).swapaxes(-1, -2) + self._origin(poses)[:, None]).reshape(-1, 3)
-        self.camera = Camera.framing(framed, (size[0] * FINER, size[1] * FINER))
-        right, above, forward = self.camera.axes
-        self.light = unit_vectors(0.8 * above - 0.6 * right - 0.2 * forward + (0.0, 0.0, 0.4))
+        self.camera = framing(framed, (size[0] * FINER, size[1] * FINER))
+        right, below, forward = self.camera.rotation
+        self.light = unit_vectors(-0.8 * below - 0.6 * right - 0.2 * forward + (0.0, 0.0, 0.4))
         self.halfway = unit_vectors(self.light - forward)
         fall = Image.linear_gradient("L").resize((size[0] * FINER, size[1] * FINER))
         self.background = Image.composite(Image.new("RGB", fall.size, _FLOOR), Image.new("RGB", fall.size, _SKY), fall)
@@ -92,7 +92,7 @@ class Stage:
         polygons: list[list[float]] = []
         colours, middles, depths = [], [], []
         for group in groups:
-            pixels, depth = self.camera.project(group.corners)
+            pixels, depth = self.camera.project_with_depth(group.corners)
             x, y = np.moveaxis(pixels, -1, 0)
             facing = (x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1) < 0
             seen = facing & (depth.min(axis=1) > 1e-3) & (np.abs(pixels).max(axis=(1, 2)) < 1e5)
@@ -113,7 +113,7 @@ class Stage:
 
     def _draw_plate(self, draw: ImageDraw, rotation: Array, moved: Array) -> None:
         def pixels(points: ArrayLike) -> Array:
-            return self.camera.project(np.asarray(points, dtype=float) @ rotation.T + moved)[0]
+            return self.camera.project(np.asarray(points, dtype=float) @ rotation.T + moved)
 
         def lines(points: ArrayLike, colour: tuple[int, int, int], width: float) -> None:
             for line in pixels(points).reshape(-1, 4).tolist():

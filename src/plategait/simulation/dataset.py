@@ -16,13 +16,13 @@ from plategait.engine.recording import Run
 from plategait.errors import InputError
 from plategait.files.output import check_writable, write_whole
 from plategait.memory import available_memory, in_words
-from plategait.model.scenario import write_scenario
+from plategait.model.scenario_file import write_scenario
 from plategait.version import __version__
 
 if TYPE_CHECKING:
     import xarray
 
-    from plategait.simulation.run import Simulation
+    from plategait.simulation.result import Simulation
 
 SUFFIXES = (".nc",)
 # The recordings in both of the core's and our own precision, the dataset, the file in memory while it grows.

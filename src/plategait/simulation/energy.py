@@ -7,9 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Series = NDArray[np.float64]
+from plategait.arrays import Array
 
 # Share of the energy given that a ledger may be out by. The presets at their default step stay below 2.5 % over the
 # source's whole range (docs/numerics.md); what is out by more has a step too large for it, or a law that makes energy.
@@ -78,7 +77,7 @@ def _share(energy: float, given: float) -> float:
     return energy / given if given != 0 else (0.0 if energy == 0 else math.nan)
 
 
-def energy_ledger(channels: Mapping[str, Series], least: float = 0.0) -> EnergyLedger:
+def energy_ledger(channels: Mapping[str, Array], least: float = 0.0) -> EnergyLedger:
     """Where the plate's work went over a whole recording, from its energy channels.
 
     Parameters
@@ -89,7 +88,7 @@ def energy_ledger(channels: Mapping[str, Series], least: float = 0.0) -> EnergyL
         Energy too small to matter, J: added to what was given, so that round-off makes no gap where little moves.
     """
 
-    def gained(name: str) -> Series:
+    def gained(name: str) -> Array:
         return channels[name] - channels[name][0]
 
     with np.errstate(invalid="ignore", over="ignore"):

@@ -17,10 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from plategait.arrays import Array, Flags
 from plategait.simulation.observables import FAILURES, GAITS, student_95
-
-Numbers = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 # What `together` takes of each run, by the names that stores and files use.
 TAKEN = (
@@ -54,14 +52,14 @@ class Ensemble:
     runs: int
     failed_runs: NDArray[np.int64]
     counted_runs: NDArray[np.int64]
-    rate: Numbers
-    spread: Numbers
-    low: Numbers
-    high: Numbers
+    rate: Array
+    spread: Array
+    low: Array
+    high: Array
     settled: Flags
     gait: tuple[str, ...]
     failure: tuple[str, ...]
-    failure_time: Numbers
+    failure_time: Array
 
     @property
     def failed(self) -> Flags:
@@ -80,7 +78,7 @@ def fails(failed_runs: ArrayLike, runs: ArrayLike) -> Flags:
     return (failed > 0) & (2 * failed >= np.asarray(runs))
 
 
-def mean_of_unfailed(values: ArrayLike, failed: ArrayLike) -> Numbers:
+def mean_of_unfailed(values: ArrayLike, failed: ArrayLike) -> Array:
     """Means over the last axis of the values of runs that did not fail, where finite; NaN where there is none."""
     values = np.asarray(values, dtype=float)
     counted = np.isfinite(values) & ~np.asarray(failed, dtype=bool)
@@ -143,7 +141,7 @@ def _gaits(gait: NDArray[np.object_], failed: Flags) -> tuple[str, ...]:
     return tuple(livelier_first[row.argmax()] if row.any() else "" for row in counts)
 
 
-def _failures(kinds: NDArray[np.object_], times: Numbers) -> tuple[tuple[str, ...], Numbers]:
+def _failures(kinds: NDArray[np.object_], times: Array) -> tuple[tuple[str, ...], Array]:
     """Commonest failure of each point, of equals the first of `FAILURES`, and its median time."""
     counts = np.stack([(kinds == kind).sum(axis=1) for kind in FAILURES], axis=1)
     commonest = [FAILURES[row.argmax()] if row.any() else "" for row in counts]

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-Series = NDArray[np.float64]
+from plategait.arrays import Array
 
 GAITS = ("sliding", "walking", "running")
 FAILURES = ("slipped", "turned over", "folded", "left the plate", "diverged")
@@ -77,7 +77,7 @@ class Failure:
         return min(self.time, self.first_sign)
 
 
-def rotation(cross: Series, dot: Series) -> Series:
+def rotation(cross: Array, dot: Array) -> Array:
     """Unwrapped best-fit rotation in the plate frame, rad.
 
     Parameters
@@ -89,7 +89,7 @@ def rotation(cross: Series, dot: Series) -> Series:
     return np.unwrap(np.arctan2(cross, dot))
 
 
-def spin_rate(time: Series, angle: Series, period: float, start: float, end: float) -> SpinRate:
+def spin_rate(time: Array, angle: Array, period: float, start: float, end: float) -> SpinRate:
     """Turn over whole plate periods between two times, over the time they take.
 
     Over whole periods the swing within them cancels exactly, which it does not in a fitted slope. The interval comes
@@ -131,7 +131,7 @@ def student_95(freedom: int) -> float:
 _STUDENT_95 = (math.inf, 12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462)
 
 
-def period_means(time: Series, values: Series, period: float, start: float, end: float) -> Series:
+def period_means(time: Array, values: Array, period: float, start: float, end: float) -> Array:
     """(n_periods, …) means of samples over each whole plate period between two times."""
     index = np.floor((time - start) / period - 1e-9).astype(int)
     count = math.floor((end - start) / period + 1e-6)
@@ -141,7 +141,7 @@ def period_means(time: Series, values: Series, period: float, start: float, end:
     return sums / np.maximum(np.bincount(index[within], minlength=count), 1).reshape(-1, *([1] * (values.ndim - 1)))
 
 
-def gait(left: Series, right: Series, flight: Series) -> str:
+def gait(left: Array, right: Array, flight: Array) -> str:
     """Gait by the dissertation's definition (section 4.3), from each whole period's means.
 
     The legs are the halves of the object left and right of the bar axis where they are now. Sliding: both touch all the
@@ -161,7 +161,7 @@ def gait(left: Series, right: Series, flight: Series) -> str:
     return GAITS[int(np.argmax(counts))]
 
 
-def slip(time: Series, x: Series, y: Series, period: float) -> Series:
+def slip(time: Array, x: Array, y: Array, period: float) -> Array:
     """Distance of the centre, averaged over the plate period around each time, from where it lay at first, m.
 
     The averaging takes out the centre's swing within each period, which is part of every gait.
@@ -174,7 +174,7 @@ def slip(time: Series, x: Series, y: Series, period: float) -> Series:
     reach = np.minimum(half, np.minimum(np.arange(n), np.arange(n)[::-1]))
     after, before = np.arange(n) + reach + 1, np.arange(n) - reach
 
-    def smooth(values: Series) -> Series:
+    def smooth(values: Array) -> Array:
         sums = np.concatenate([[0.0], np.cumsum(values)])
         return (sums[after] - sums[before]) / (after - before)
 
@@ -182,7 +182,7 @@ def slip(time: Series, x: Series, y: Series, period: float) -> Series:
 
 
 def first_failure(
-    channels: Mapping[str, Series],
+    channels: Mapping[str, Array],
     period: float,
     slip_limit: float,
     plate_size: tuple[float, float] | None = None,

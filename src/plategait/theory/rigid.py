@@ -5,19 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 
 GRAVITY = 9.81
 """Gravitational acceleration, m/s²."""
 
-_Array = NDArray[np.float64]
-
 
 def pressure(
     y_r: ArrayLike, theta_acceleration: ArrayLike, mass: float, area: float, gravity: float = GRAVITY
-) -> _Array:
+) -> Array:
     """Contact pressure under a thin rigid object that follows the plate, equation (2.1).
 
     Holds where it is at least 0 all over the object: see `full_contact_limit`. Contact does not pull, so a negative
@@ -94,9 +93,9 @@ class RotationMoment:
         The other half, which an object that bends off the plate loses: n₋ where n ≥ 0.
     """
 
-    total: _Array
-    contributing: _Array
-    braking: _Array
+    total: Array
+    contributing: Array
+    braking: Array
 
 
 def disk_rotation_moment(
@@ -204,7 +203,7 @@ def _moment(
     return RotationMoment(total, np.where(total >= 0, clockwise, counter), np.where(total >= 0, counter, clockwise))
 
 
-def spin_acceleration(moment: ArrayLike, inertia_z: float) -> _Array:
+def spin_acceleration(moment: ArrayLike, inertia_z: float) -> Array:
     """Angular acceleration of the object in its plane, θ̈_B = -n / I_z.
 
     Parameters
@@ -228,7 +227,7 @@ def spin_acceleration(moment: ArrayLike, inertia_z: float) -> _Array:
     return -np.asarray(moment, dtype=float) / inertia_z
 
 
-def inertial_loads(plate_mass: float, inertia: tuple[float, float, float], bar_length: float = 0.0) -> _Array:
+def inertial_loads(plate_mass: float, inertia: tuple[float, float, float], bar_length: float = 0.0) -> Array:
     """Inertial load on the handling position in each of six degrees of freedom, n₁ and n₂ of section 2.2.1.
 
     X and Θ_X do not depend on the length of the bar, which is why the plate moves in those two.

@@ -17,12 +17,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from plategait.arrays import Array
+from plategait.errors import InputError
 from plategait.theory.rigid import GRAVITY
 
-Array = NDArray[np.float64]
 Rate = Callable[[int, Array], Array]
+
+LEAST_ROWS = 12
+"""Of a recording: three times what is fitted to each angle."""
 
 
 @dataclass(frozen=True)
@@ -218,3 +222,58 @@ def fastest_rates(strip: Strip, joints: Joints) -> tuple[float, float]:
     stiffness, damping = (np.diag([np.max(one), np.max(two)]) for one, two in ((k_1, k_b), (c_1, c_b)))
     squares, decays = (np.linalg.eigvals(np.linalg.solve(mass, each)).real.max() for each in (stiffness, damping))
     return float(np.sqrt(squares)), float(decays)
+
+
+@dataclass(frozen=True, eq=False)
+class Angles:
+    """Joint angles of a strip over time.
+
+    Parameters
+    ----------
+    time : (n,) array
+        Rising, s.
+    phi_1, phi_2 : (n,) arrays
+        Angle of link 1 below the horizontal, and of link 2 below the line of link 1, rad.
+    """
+
+    time: Array
+    phi_1: Array
+    phi_2: Array
+
+    def __post_init__(self) -> None:
+        """Refuse what is no recording."""
+        for name in ("time", "phi_1", "phi_2"):
+            values = np.asarray(getattr(self, name), dtype=float)
+            object.__setattr__(self, name, values)
+            if values.shape != (len(self.time),) or not np.isfinite(values).all():
+                raise InputError(name, f"shape {values.shape}, {np.isfinite(values).sum()} of them finite",
+                                 "one finite number for each row", "leaving out rows without a number")  # fmt: skip
+        if not (np.diff(self.time) > 0).all():
+            raise InputError("time", "a time no later than the one before", "rising", "sorting the rows")
+
+
+def angles_of_markers(markers: ArrayLike) -> tuple[Array, Array]:
+    """Joint angles φ1, φ2 (rad) from markers.
+
+    Parameters
+    ----------
+    markers : (n, 3, 2) array_like
+        x and y of the markers at wall, joint and tip, y upwards, in any unit of length. A strip that points to the
+        left is taken as its mirror image.
+    """
+    links = np.diff(np.asarray(markers, dtype=float), axis=1)
+    side = 1.0 if links[:, :, 0].sum() >= 0 else -1.0
+    below = np.arctan2(-links[:, :, 1], side * links[:, :, 0])
+    return below[:, 0], (below[:, 1] - below[:, 0] + np.pi) % (2 * np.pi) - np.pi
+
+
+def strip_angles(
+    strip: Strip, joints: Joints, time: Array, start: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+) -> Array:
+    """Angles (n, 2) of the two links at `time` (from 0, s) after a release from `start` (φ1, φ2, φ1', φ2')."""
+    # Errors of 1e-7 of the motion, far under any camera's; of what has decayed after a row or two, a little more.
+    omega, decay = fastest_rates(strip, joints)
+    step = min(0.05 / omega, 0.5 / max(decay, omega))
+    steps = max(int(np.ceil(time[-1] / step)), 1)
+    states = integrate(two_link_rate(strip, joints), np.array(start)[:, None], time[-1] / steps, steps)
+    return between(states, time[-1] / steps, time)[:, :, 0]

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.theory.rigid import require_positive
 
 CANTILEVER_ROOTS = (1.875104068711961, 4.694091132974174, 7.854757438237613)
 """First three roots βL of cos βL cosh βL = -1."""
 
-_Array = NDArray[np.float64]
 
-
-def cantilever_frequencies(flexural_rigidity: float, mass_per_length: float, length: float) -> _Array:
+def cantilever_frequencies(flexural_rigidity: float, mass_per_length: float, length: float) -> Array:
     """First three natural angular frequencies of an Euler-Bernoulli cantilever, ω = (βL)² √(EI / (m' L⁴)).
 
     Parameters
@@ -116,7 +115,7 @@ def free_disk_frequency(
     return float(free_disk_parameter(diameters, circles, poisson) * scale)
 
 
-def _free_edge(root: ArrayLike, n: int, poisson: float) -> _Array:
+def _free_edge(root: ArrayLike, n: int, poisson: float) -> Array:
     """Determinant of moment and shear at the edge r = 1 for J_n(λr) and I_n(λr), at λ = `root`."""
     from scipy.special import ive, jv, jvp
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from plategait.plots.figures import mark
+from plategait.plots.style import mark
 from plategait.thesis.regressions import Regression
 from plategait.thesis.runs import CaseRuns
 

@@ -7,16 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from plategait import published
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.published import PublishedCurve
 from plategait.thesis.cases import Case
 from plategait.thesis.regressions import Regression, regress
 from plategait.thesis.runs import Results, value_of
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,14 +29,14 @@ class Fits:
         Parameters of (5.5); deg/s for the peak.
     """
 
-    omega_pi: _Array
-    alpha_deg: _Array
-    f0_hz: _Array
-    half_width_hz: _Array
-    peak: _Array
+    omega_pi: Array
+    alpha_deg: Array
+    f0_hz: Array
+    half_width_hz: Array
+    peak: Array
 
     @property
-    def ratio(self) -> _Array:
+    def ratio(self) -> Array:
         """Widths b/f0."""
         return self.half_width_hz / self.f0_hz
 
@@ -53,12 +51,12 @@ class Fits:
         return regress(self.ratio, self.alpha_deg)
 
     @property
-    def omega_estimate(self) -> _Array:
+    def omega_estimate(self) -> Array:
         """ω̂_n by (5.6), π rad/s."""
         return self.of_omega(self.f0_hz)
 
     @property
-    def alpha_estimate(self) -> _Array:
+    def alpha_estimate(self) -> Array:
         """α̂ by (5.7), deg."""
         return self.of_alpha(self.ratio)
 
@@ -92,7 +90,7 @@ def simulated_fits(results: Results, angle_deg: int, member: int | None = None) 
     runs = [results[Case(c.angle_deg, c.omega_pi, c.alpha_deg)] for c in curves]
     fits = [r.fit if member is None else r.member_fits[member] for r in runs]
 
-    def column(name: str) -> _Array:
+    def column(name: str) -> Array:
         return np.array([value_of(fit, name) for fit in fits])
 
     omega, alpha = np.array([c.omega_pi for c in curves]), np.array([c.alpha_deg for c in curves])

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.curve.curve import Curve, curve_of
 from plategait.curve.quick_lorentz import Shape, fit_shape
 from plategait.simulation.observation import Observation, observe
@@ -20,8 +20,6 @@ from plategait.thesis.cases import FIT_FROM, Case, fitted_cases
 BATCH = 1600
 STRICT_SLIP_LIMIT = 0.01
 """The source's own limit of drift, m."""
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +76,7 @@ class CaseRuns:
         return CaseRuns(self.case, tuple(o[:count] for o in self.observations), tuple(o[:count] for o in self.strict))
 
     @property
-    def acceleration(self) -> _Array:
+    def acceleration(self) -> Array:
         """A_p ω_p² at each frequency, 10⁴ deg/s²."""
         return self.case.angle_deg * (math.tau * np.array(self.case.frequencies)) ** 2 / 1e4
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from plategait.errors import InputError
-from plategait.simulation.run import plain
+from plategait.files.plain import plain
 from plategait.thesis.cases import GAIT_ANGLES, Case, fitted_cases, reference_cases
 from plategait.thesis.item import Item, Spec
 from plategait.thesis.items import chapter2, chapter4, chapter5, choices, friction, snapshots, tables, targets, trends

@@ -12,11 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Picture
 from plategait.errors import InputError
-
-Plane = NDArray[np.uint8]
 
 # Pixels that differ by more levels than this count as changed: a codec changes a repeated picture by less.
 CHANGED_LEVELS = 4
@@ -51,11 +49,11 @@ class Frame:
 
     index: int
     time: float
-    luma: Plane
-    chroma: tuple[Plane, Plane]
+    luma: Picture
+    chroma: tuple[Picture, Picture]
     change: float = 1.0
 
-    def bgr(self) -> Plane:
+    def bgr(self) -> Picture:
         """(height, width, 3) picture in colour, as OpenCV draws on it."""
         import cv2
 
@@ -258,7 +256,7 @@ def _compared(frames: Iterator[Frame]) -> Iterator[Frame]:
     """Frames with how much of each changed."""
     import cv2
 
-    before: Plane | None = None
+    before: Picture | None = None
     for frame in frames:
         thin = np.ascontiguousarray(frame.luma[::CHANGED_STRIDE, ::CHANGED_STRIDE])
         if before is not None and before.shape == thin.shape:

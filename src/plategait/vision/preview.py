@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from plategait.files.output import whole_file
 from plategait.vision.frames import Frame
-from plategait.vision.object.markers import Pose
+from plategait.vision.object.pose import Pose
 from plategait.vision.plate.view import PlateView, project
 
 if TYPE_CHECKING:

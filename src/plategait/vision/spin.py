@@ -14,10 +14,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array, Flags
 from plategait.simulation.observables import BLOCKS, SETTLED_RATE, SETTLED_SHARE, student_95
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 # Fewest sure frames, and the least share of all, that a rate is given for.
 FEWEST_SURE, LEAST_SHARE = 12, 0.2

@@ -11,13 +11,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.output import whole_file
-from plategait.identify.bending.recording import LEAST_ROWS, Angles, angles_of_markers
+from plategait.theory.two_links import LEAST_ROWS, Angles, angles_of_markers
 from plategait.vision.frames import Frame, open_video
 from plategait.vision.track import REPEATED
-
-Array = NDArray[np.float64]
 
 _LEAST_REDNESS = 35.0  # grey levels by which red exceeds green and blue on a marker
 _LEAST_PIXELS, _MOST_SPOTS = 6, 12

@@ -7,22 +7,20 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array, Picture
 from plategait.camera.camera import Calibration
 from plategait.camera.fiducials import plate_target
 from plategait.errors import InputError
 from plategait.vision.frames import Frame, open_video
 from plategait.vision.lens import straightener, zoomed
-from plategait.vision.object.markers import NOWHERE, MarkerLook, MarkerTracker, Pose, learn_look
+from plategait.vision.object.markers import MarkerLook, MarkerTracker, learn_look
+from plategait.vision.object.pose import NOWHERE, Pose
 from plategait.vision.object.texture import TextureTracker, learn_object
 from plategait.vision.plate.outline import OutlinePlate
 from plategait.vision.plate.rectified import Grid
 from plategait.vision.plate.swing import focal_of
 from plategait.vision.plate.view import FiducialPlate, PlateFinder, PlateView, ScalePlate
-
-Array = NDArray[np.float64]
-Plane = NDArray[np.uint8]
 
 # Frames at a clip's start from which its plate, markers and object are learnt, and most bytes of them.
 SURVEY, SURVEY_BYTES = 60, 150e6
@@ -148,7 +146,7 @@ class Eyes:
                 "filming one object at a time",
             )
 
-    def _followed(self, look: MarkerLook, patches: list[Plane]) -> float:
+    def _followed(self, look: MarkerLook, patches: list[Picture]) -> float:
         """Share of the pictures in which these markers are surely found."""
         tracker = MarkerTracker(look)
         return sum(not tracker.find(p, self.grid, self.allowed).reason for p in patches) / len(patches)

@@ -11,18 +11,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.simulation.run import plain
+from plategait.arrays import Array, Flags
+from plategait.files.plain import plain
 from plategait.vision.frames import Frame, open_video
 from plategait.vision.lens import straightener, zoomed
-from plategait.vision.object.markers import Pose
 from plategait.vision.object.parallax import bending
-from plategait.vision.plate.swing import PlateMotion, plate_motion
+from plategait.vision.object.pose import Pose
+from plategait.vision.plate.swing import PlateSwing, plate_swing
 from plategait.vision.plate.view import PlateView, ScalePlate
 from plategait.vision.spin import Spin, apparent_frequency, joined, spin_of, strays
 from plategait.vision.survey import Eyes, Setup
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 # A picture that changes by less than this share of the usual change repeats the one before it.
 REPEATED = 0.03
@@ -55,7 +53,7 @@ class Track:
         Turns of a full circle over this look the same.
     fps : float
         Frames per second, as they came.
-    plate : PlateMotion
+    plate : PlateSwing
     plate_frequency : float
         As given, else as the camera saw it, Hz; NaN where unknown.
     spin : Spin
@@ -73,7 +71,7 @@ class Track:
     method: str
     symmetry: int
     fps: float
-    plate: PlateMotion
+    plate: PlateSwing
     plate_frequency: float
     spin: Spin
     notes: tuple[str, ...] = ()
@@ -203,9 +201,9 @@ def _assembled(
     elif eyes.plate.lens is not None:
         focal = float(eyes.plate.lens[0, 0])
     fresh = np.where(repeated[:, None, None], math.nan, views)
-    moved = plate_motion(time, fresh, setup.plate_size, middle, focal)
+    moved = plate_swing(time, fresh, setup.plate_size, middle, focal)
     if isinstance(eyes.plate, ScalePlate):
-        moved = PlateMotion(math.nan, math.nan, None, math.nan)
+        moved = PlateSwing(math.nan, math.nan, None, math.nan)
     agree = _note_frequency(setup.plate_frequency, moved.frequency, fps, notes)
     frequency = setup.plate_frequency or moved.frequency
     sure = np.array([not r for r in reason]) & np.isfinite(angle)

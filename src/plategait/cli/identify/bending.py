@@ -12,7 +12,7 @@ from plategait.cli import options, report
 from plategait.cli.command import refuse
 from plategait.cli.identify import shared as identified
 from plategait.identify.fit import known
-from plategait.identify.shown import words
+from plategait.model.measured import words
 from plategait.units import Quantity
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import typer
 from plategait.cli import options, report
 from plategait.cli.identify import shared as identified
 from plategait.identify.fit import known
-from plategait.identify.shown import words
+from plategait.model.measured import words
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def compression(
     )
 
     def draw() -> Figure:
-        from plategait.identify.bending.figures import plot_compression
+        from plategait.identify.compression.figures import plot_compression
 
         return plot_compression(result)
 

@@ -10,7 +10,7 @@ import typer
 
 from plategait.cli import options, report
 from plategait.cli.identify import shared as identified
-from plategait.identify.shown import words
+from plategait.model.measured import words
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -11,7 +11,7 @@ import typer
 from plategait.cli import options, report
 from plategait.cli.command import refuse
 from plategait.cli.identify import shared as identified
-from plategait.identify.shown import words
+from plategait.model.measured import words
 from plategait.model.presets import as_scenario
 from plategait.units import Quantity
 

@@ -63,7 +63,7 @@ def deliver(
 
         write_fragment(result.to_fragment(), out)
     if plot:
-        from plategait.plots.figures import save
+        from plategait.plots.style import save
 
         save(draw(), plot)
     report.print_json(result.summary()) if as_json else show()

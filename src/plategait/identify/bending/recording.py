@@ -5,64 +5,17 @@ The markers sit at the wall, where the virtual joint is, and at the free tip.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from plategait.errors import InputError
 from plategait.files.input import LARGEST_TABLE, UnreadableError, plain_bytes
 from plategait.files.table import Column, read_table
+from plategait.theory.two_links import LEAST_ROWS, Angles, angles_of_markers
 
-Array = NDArray[np.float64]
-
-LEAST_ROWS = 12  # three times what is fitted to each angle
 _EXAMPLE = "headings time_s,phi1_deg,phi2_deg or time_s,x0_mm,y0_mm,x1_mm,y1_mm,x2_mm,y2_mm"
 _PLACES = tuple(f"{axis}{i}" for i in range(3) for axis in "xy")
-
-
-@dataclass(frozen=True, eq=False)
-class Angles:
-    """Joint angles of a strip over time.
-
-    Parameters
-    ----------
-    time : (n,) array
-        Rising, s.
-    phi_1, phi_2 : (n,) arrays
-        Angle of link 1 below the horizontal, and of link 2 below the line of link 1, rad.
-    """
-
-    time: Array
-    phi_1: Array
-    phi_2: Array
-
-    def __post_init__(self) -> None:
-        """Refuse what is no recording."""
-        for name in ("time", "phi_1", "phi_2"):
-            values = np.asarray(getattr(self, name), dtype=float)
-            object.__setattr__(self, name, values)
-            if values.shape != (len(self.time),) or not np.isfinite(values).all():
-                raise InputError(name, f"shape {values.shape}, {np.isfinite(values).sum()} of them finite",
-                                 "one finite number for each row", "leaving out rows without a number")  # fmt: skip
-        if not (np.diff(self.time) > 0).all():
-            raise InputError("time", "a time no later than the one before", "rising", "sorting the rows")
-
-
-def angles_of_markers(markers: ArrayLike) -> tuple[Array, Array]:
-    """Joint angles φ1, φ2 (rad) from markers.
-
-    Parameters
-    ----------
-    markers : (n, 3, 2) array_like
-        x and y of the markers at wall, joint and tip, y upwards, in any unit of length. A strip that points to the
-        left is taken as its mirror image.
-    """
-    links = np.diff(np.asarray(markers, dtype=float), axis=1)
-    side = 1.0 if links[:, :, 0].sum() >= 0 else -1.0
-    below = np.arctan2(-links[:, :, 1], side * links[:, :, 0])
-    return below[:, 0], (below[:, 1] - below[:, 0] + np.pi) % (2 * np.pi) - np.pi
 
 
 def read_angles(path: Path | str, *, y_down: bool = False) -> Angles:

@@ -7,18 +7,16 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.identify.bending.recording import LEAST_ROWS, Angles
 from plategait.identify.bending.sag import Wall, follow_wall, prepare, regress, simulate_both
 from plategait.identify.fit import determined, fragment_of, known, scaled, undetermined
 from plategait.identify.series import Window
-from plategait.identify.shown import numbers
-from plategait.model.fragment import Fragment, Measured
-from plategait.theory.two_links import Strip
+from plategait.model.fragment import Fragment
+from plategait.model.measured import Measured, numbers
+from plategait.theory.two_links import LEAST_ROWS, Angles, Strip
 
-Array = NDArray[np.float64]
 Method = Literal["trajectory", "regression"]
 
 PER_DEGREE = 1e3 * math.radians(1)  # from N m/rad to N mm/deg

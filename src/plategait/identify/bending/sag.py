@@ -10,13 +10,13 @@ from itertools import product
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from plategait.identify.bending.recording import LEAST_ROWS
+from plategait.arrays import Array
 from plategait.identify.fit import Fit, fit, interval, unknown
 from plategait.identify.series import Smooth, follow, smooth, structure, thin
-from plategait.model.fragment import Measured
+from plategait.model.measured import Measured
 from plategait.theory.two_links import (
+    LEAST_ROWS,
     Joints,
     Strip,
     between,
@@ -27,7 +27,6 @@ from plategait.theory.two_links import (
     two_link_rate,
 )
 
-Array = NDArray[np.float64]
 Wall = Literal["measured", "free", "joint"]
 
 # Share of the fastest oscillation that a step takes, in radians: Runge–Kutta is then off by 1e-4 of its period. And of

@@ -6,13 +6,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from plategait.files.output import whole_file
-from plategait.identify.bending.recording import Angles, angles_of_markers
-from plategait.theory.two_links import Joints, Strip, between, fastest_rates, integrate, two_link_rate
-
-Array = NDArray[np.float64]
+from plategait.arrays import Array
+from plategait.identify.series import rounded, write_recording
+from plategait.theory.two_links import (
+    Angles,
+    Joints,
+    Strip,
+    angles_of_markers,
+    strip_angles,
+)
 
 _DEG = np.pi / 180
 _EXPOSURES = 5  # moments averaged over within one exposure
@@ -41,37 +44,14 @@ class Cantilever:
     def write_markers(self, path: Path | str) -> None:
         """Write the markers, in mm."""
         heading = ["time_s", *(f"{axis}{i}_mm" for i in range(3) for axis in "xy")]
-        _write(path, heading, [self.time, *(1e3 * self.markers.reshape(-1, 6)).T])
+        write_recording(path, heading, [self.time, *(1e3 * self.markers.reshape(-1, 6)).T])
 
     def write_angles(self, path: Path | str) -> None:
         """Write the joint angles, in degrees."""
         angles = self.angles
-        _write(path, ["time_s", "phi1_deg", "phi2_deg"], [angles.time, angles.phi_1 / _DEG, angles.phi_2 / _DEG])
-
-
-@dataclass(frozen=True, eq=False)
-class Press:
-    """A pressed link: time (s), displacement (m) and force (N), each (n,)."""
-
-    time: Array
-    displacement: Array
-    force: Array
-
-    def write(self, path: Path | str) -> None:
-        """Write it, in mm and N."""
-        _write(path, ["time_s", "displacement_mm", "force_N"], [self.time, 1e3 * self.displacement, self.force])
-
-
-def strip_angles(
-    strip: Strip, joints: Joints, time: Array, start: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
-) -> Array:
-    """Angles (n, 2) of the two links at `time` (from 0, s) after a release from `start` (φ1, φ2, φ1', φ2')."""
-    # Errors of 1e-7 of the motion, far under any camera's; of what has decayed after a row or two, a little more.
-    omega, decay = fastest_rates(strip, joints)
-    step = min(0.05 / omega, 0.5 / max(decay, omega))
-    steps = max(int(np.ceil(time[-1] / step)), 1)
-    states = integrate(two_link_rate(strip, joints), np.array(start)[:, None], time[-1] / steps, steps)
-    return between(states, time[-1] / steps, time)[:, :, 0]
+        write_recording(
+            path, ["time_s", "phi1_deg", "phi2_deg"], [angles.time, angles.phi_1 / _DEG, angles.phi_2 / _DEG]
+        )
 
 
 def cantilever_recording(
@@ -117,53 +97,4 @@ def cantilever_recording(
     places = np.concatenate([np.zeros((len(links), 1, 2)), np.cumsum(links, axis=1)], axis=1)
     seen = places.reshape(rows, _EXPOSURES, 3, 2).mean(axis=1)
     seen = seen + jitter * np.random.default_rng(seed).normal(size=seen.shape)
-    return Cantilever(frames + exposure / 2, _rounded(seen, pixel))
-
-
-def press_recording(
-    k_s: float,
-    c_s: float,
-    *,
-    depth: float = 1e-4,
-    duration: float = 0.01,
-    rows: int = 10,
-    encoder: float = 1e-6,
-    force_noise: float = 0.01,
-    touch: float = 0.0,
-    preload: float = 0.0,
-    seed: int = 0,
-) -> Press:
-    """Press a link as in section 3.3.2: the jaw closes along half a cosine.
-
-    Parameters
-    ----------
-    k_s, c_s : float
-        Of the upper surface, N/m and N s/m.
-    depth, duration : float
-        Closed to at the end, m, and after this time, s.
-    rows : int
-        Samples, the first at the start.
-    encoder : float
-        Displacement is rounded to multiples of this, m; 0 leaves it.
-    force_noise : float
-        Standard deviation of the load cell, N.
-    touch, preload : float
-        Encoder's reading (m) and load cell's (N) where the jaw just touches.
-    seed : int
-    """
-    time = np.linspace(0, duration, rows)
-    s = depth * 0.5 * (1 - np.cos(np.pi * time / duration))
-    speed = depth * 0.5 * np.pi / duration * np.sin(np.pi * time / duration)
-    force = c_s * speed + k_s * s + preload + force_noise * np.random.default_rng(seed).normal(size=rows)
-    return Press(time, _rounded(s + touch, encoder), force)
-
-
-def _rounded(values: Array, step: float) -> Array:
-    return np.round(values / step) * step if step else values
-
-
-def _write(path: Path | str, heading: list[str], columns: list[Array]) -> None:
-    with whole_file(path, (".csv",), "recording") as temporary:
-        np.savetxt(
-            temporary, np.column_stack(columns), fmt="%.10g", delimiter=",", header=",".join(heading), comments=""
-        )
+    return Cantilever(frames + exposure / 2, rounded(seen, pixel))

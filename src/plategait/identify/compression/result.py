@@ -7,16 +7,15 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.table import Column, read_table
 from plategait.identify.fit import determined, fit, fragment_of, interval, known, scaled, undetermined
 from plategait.identify.series import Window, follow, smooth, thin
-from plategait.identify.shown import numbers
-from plategait.model.fragment import Fragment, Measured
+from plategait.model.fragment import Fragment
+from plategait.model.measured import Measured, numbers
 
-Array = NDArray[np.float64]
 Method = Literal["trajectory", "regression"]
 
 LEAST_ROWS = 6  # of fewer, speed and scatter cannot both be told

@@ -8,12 +8,10 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.table import Column, read_table
-
-_Array = NDArray[np.float64]
 
 EXAMPLE = "time_s,angle_deg,position_mm"
 LEAST_ROWS = 8
@@ -39,9 +37,9 @@ class TiltRecording:
     """
 
     name: str
-    time: _Array
-    angle: _Array
-    position: _Array
+    time: Array
+    angle: Array
+    position: Array
 
     def __post_init__(self) -> None:
         """Refuse what is no recording."""
@@ -70,7 +68,7 @@ def read_tilt(path: Path | str) -> TiltRecording:
     return TiltRecording(table.path.name, table["time"], table["angle"], table["position"])
 
 
-def noise_of(values: _Array) -> float:
+def noise_of(values: Array) -> float:
     """Sd of the noise, from the median of third differences, which a smooth motion hardly moves.
 
     Positions that a camera rounded to the same numbers show their steps only: the noise is at least that of rounding.
@@ -96,8 +94,8 @@ class Tilt:
         λ of the smoothing spline.
     """
 
-    time: _Array
-    angle: _Array
+    time: Array
+    angle: Array
     noise: float = 0.0
     penalty: float = 0.0
 
@@ -110,7 +108,7 @@ class Tilt:
         impulse[nearest] = 1.0
         return self.noise * math.sqrt(max(0.0, float(_smoothed(self.time, impulse, self.penalty)[nearest])))
 
-    def at(self, time: float | _Array) -> _Array:
+    def at(self, time: float | Array) -> Array:
         """Angle at a time, rad."""
         return np.asarray(np.interp(time, self.time, self.angle))
 
@@ -121,11 +119,11 @@ class Tilt:
         return float((self.at(high) - self.at(low)) / (high - low))
 
     @cached_property
-    def _integrals(self) -> list[tuple[_Array, _Array, _Array]]:
+    def _integrals(self) -> list[tuple[Array, Array, Array]]:
         """Sine and cosine with their first and second integrals over the time, exact where they are straight."""
         return [_integrated(self.time, f(self.angle)) for f in (np.sin, np.cos)]
 
-    def travel(self, since: float) -> tuple[_Array, _Array]:
+    def travel(self, since: float) -> tuple[Array, Array]:
         """Double integrals of sin θ and cos θ from a time on, at every row, s²; 0 before it."""
         both = []
         for value, once, twice in self._integrals:
@@ -137,20 +135,20 @@ class Tilt:
         return both[0], both[1]
 
 
-def _integrated(time: _Array, value: _Array) -> tuple[_Array, _Array, _Array]:
+def _integrated(time: Array, value: Array) -> tuple[Array, Array, Array]:
     dt = np.diff(time)
     once = np.concatenate([[0.0], np.cumsum(dt * (value[:-1] + value[1:]) / 2)])
     twice = np.concatenate([[0.0], np.cumsum(dt * (once[:-1] + dt * (2 * value[:-1] + value[1:]) / 6))])
     return value, once, twice
 
 
-def _smoothed(time: _Array, values: _Array, penalty: float) -> _Array:
+def _smoothed(time: Array, values: Array, penalty: float) -> Array:
     from scipy.interpolate import make_smoothing_spline
 
     return np.asarray(make_smoothing_spline(time, values, lam=penalty)(time))
 
 
-def smooth_tilt(time: _Array, angle: _Array) -> Tilt:
+def smooth_tilt(time: Array, angle: Array) -> Tilt:
     """Smooth the plate's angle by a cubic spline, as much as generalised cross-validation says.
 
     A smoothing spline of penalty λ weighs its neighbours by a kernel of width h = (λ / rows per second)^¼ and height

@@ -12,16 +12,14 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.identify.friction.recording import LEAST_ROWS, TiltRecording, noise_of, smooth_tilt
 from plategait.identify.friction.slide import Range, SlideFit, Stretch, find_slides, fit_moving, fit_slide
 from plategait.identify.series import thin
-from plategait.identify.shown import numbers
-from plategait.model.fragment import CONFIDENCE, Fragment, Measured
-
-_Array = NDArray[np.float64]
+from plategait.model.fragment import Fragment
+from plategait.model.measured import CONFIDENCE, Measured, numbers
 
 _MOST_ROWS = 20_000  # in which slides are sought
 _MOST_FITTED = 4_000  # of one slide
@@ -64,10 +62,10 @@ class Trial:
     static: Measured | None
     kinetic: Measured | None
     reached: float
-    time: _Array
-    angle: _Array
-    position: _Array
-    fitted: _Array
+    time: Array
+    angle: Array
+    position: Array
+    fitted: Array
     slip_time: float
     rate: float
     noise: float
@@ -117,7 +115,7 @@ class FrictionResult:
 
     def summary(self) -> dict[str, Any]:
         """Numbers for programs, angles in deg."""
-        from plategait.simulation.run import plain
+        from plategait.files.plain import plain
 
         return {
             "friction_static": numbers(self.static),
@@ -224,7 +222,7 @@ def _trial(recording: TiltRecording) -> Trial:
     )  # fmt: skip
 
 
-def _never_slips(recording: TiltRecording, time: _Array, angle: _Array, position: _Array) -> Trial:
+def _never_slips(recording: TiltRecording, time: Array, angle: Array, position: Array) -> Trial:
     reached = float(np.abs(recording.angle).max())
     note = f"no slip up to {math.degrees(reached):.1f} deg: mu_s is at least {math.tan(reached):.3f}"
     turn = math.copysign(1.0, float(angle[np.argmax(np.abs(angle))]))
@@ -242,7 +240,7 @@ def _measured(found: Range | None, law: Any = float) -> Measured | None:
     return Measured(value, (high - low) / (2 * _NORMAL), low, high)
 
 
-def _kinetic(fit: SlideFit, time: _Array) -> tuple[Measured | None, list[str]]:
+def _kinetic(fit: SlideFit, time: Array) -> tuple[Measured | None, list[str]]:
     """μ_k where the slide is long enough to tell, or why not."""
     k = fit.kinetic
     slid = int(np.sum(time > fit.slip_time.value)) if fit.slip_time else len(time)
@@ -253,7 +251,7 @@ def _kinetic(fit: SlideFit, time: _Array) -> tuple[Measured | None, list[str]]:
     return _measured(k), bound
 
 
-def _crept(time: _Array, position: _Array) -> float:
+def _crept(time: Array, position: Array) -> float:
     """How far it creeps at rest, m; 0 where that may be noise."""
     if len(time) < LEAST_ROWS:
         return 0.0
@@ -263,7 +261,7 @@ def _crept(time: _Array, position: _Array) -> float:
     return travel if abs(slope) > 5 * sd and abs(travel) > _LEAST_CREEP else 0.0
 
 
-def _later_slips(time: _Array, angle: _Array, position: _Array, slides: list[Stretch]) -> list[str]:
+def _later_slips(time: Array, angle: Array, position: Array, slides: list[Stretch]) -> list[str]:
     """A note of further slides downhill that begin after a rest."""
     further = [
         math.degrees(angle[this.first])

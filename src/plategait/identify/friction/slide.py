@@ -12,13 +12,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.identify.friction.recording import Tilt, noise_of
 from plategait.identify.series import structure
 from plategait.theory.rigid import GRAVITY
-
-_Array = NDArray[np.float64]
 
 CONFIDENCE = 0.95
 _SPEED_WINDOW = 0.15  # s, over which a speed is taken
@@ -45,7 +43,7 @@ class Range(NamedTuple):
     high: float
 
 
-def find_slides(time: _Array, position: _Array) -> list[Stretch]:
+def find_slides(time: Array, position: Array) -> list[Stretch]:
     """Stretches in which the object moves faster than noise and creep, each up to where it is fastest.
 
     What follows the largest speed (a stop, the end of the plate) belongs to no slide.
@@ -107,7 +105,7 @@ class SlideFit:
     at_bound: bool
     noise: float
     structure: float
-    fitted: _Array
+    fitted: Array
 
 
 class _Trial(NamedTuple):
@@ -117,20 +115,20 @@ class _Trial(NamedTuple):
     kinetic: float
     curvature: float
     bound: bool
-    fitted: _Array
+    fitted: Array
 
 
-def _at_rest(time: _Array, moving: bool) -> _Array:
+def _at_rest(time: Array, moving: bool) -> Array:
     """(n, 1 or 2) orthonormal columns of what goes on without the slide: a place, and an even speed if it moves."""
     columns = [np.ones_like(time)] + [time - time.mean()] * moving
     return np.stack([c / np.sqrt(c @ c) for c in columns], axis=1)
 
 
-def _solve(tilt: Tilt, position: _Array, basis: _Array, slip_time: float, bounded: bool) -> _Trial:
+def _solve(tilt: Tilt, position: Array, basis: Array, slip_time: float, bounded: bool) -> _Trial:
     """Least squares of position = basis + g (∬sin θ - μ_k ∬cos θ) for μ_k, at most tan θ(t_s) if bounded."""
     sine, cosine = tilt.travel(slip_time)
 
-    def rest(y: _Array) -> _Array:
+    def rest(y: Array) -> Array:
         return y - basis @ (basis.T @ y)
 
     column, target = rest(-GRAVITY * cosine), rest(position - GRAVITY * sine)
@@ -143,7 +141,7 @@ def _solve(tilt: Tilt, position: _Array, basis: _Array, slip_time: float, bounde
     return _Trial(float(left @ left), kinetic, curvature, bound, position - left)
 
 
-def fit_slide(tilt: Tilt, position: _Array, between: tuple[float, float], creeps: bool = False) -> SlideFit:
+def fit_slide(tilt: Tilt, position: Array, between: tuple[float, float], creeps: bool = False) -> SlideFit:
     """Fit the slip time and μ_k of one slide, both with profile-likelihood intervals.
 
     The slip time is continuous, not the time of a frame, so that a slow camera does not bias it.
@@ -178,7 +176,7 @@ def fit_slide(tilt: Tilt, position: _Array, between: tuple[float, float], creeps
 
 
 def _likely(
-    trial: Callable[[float], _Trial], between: tuple[float, float], time: _Array, factor: float
+    trial: Callable[[float], _Trial], between: tuple[float, float], time: Array, factor: float
 ) -> tuple[list[float], list[_Trial]]:
     """Slip times whose squares are under `factor` times the least, on a grid that closes in on them."""
     low, high = between
@@ -207,7 +205,7 @@ def _kinetic(tilt: Tilt, slips: list[float], trials: list[_Trial], best: _Trial,
     return Range(best.kinetic, low, high)
 
 
-def fit_moving(tilt: Tilt, position: _Array) -> SlideFit:
+def fit_moving(tilt: Tilt, position: Array) -> SlideFit:
     """Fit μ_k alone to an object that moves from the first row on, at a speed of its own."""
     from scipy.special import stdtrit
 

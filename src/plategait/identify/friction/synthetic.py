@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.files.output import whole_file
+from plategait.identify.series import write_recording
 from plategait.theory.rigid import GRAVITY
-
-_Array = NDArray[np.float64]
 
 
 def tilt_recording(
@@ -28,7 +25,7 @@ def tilt_recording(
     travel: float = 0.15,
     creep: float = 0.0,
     seed: int = 0,
-) -> tuple[_Array, _Array, _Array]:
+) -> tuple[Array, Array, Array]:
     """Record an object on a plate that turns at an even rate until it has slid some way.
 
     Parameters
@@ -73,7 +70,7 @@ def tilt_recording(
     )
 
 
-def slide_length(since: _Array, alpha: float, rate: float, kinetic: float) -> _Array:
+def slide_length(since: Array, alpha: float, rate: float, kinetic: float) -> Array:
     """Length of a slide that begins at rest at the angle α on a plate turning at an even rate, m.
 
     s'' = g (sin θ - μ_k cos θ) with θ = α + Ω t, integrated twice.
@@ -84,55 +81,6 @@ def slide_length(since: _Array, alpha: float, rate: float, kinetic: float) -> _A
     return GRAVITY * (sine - kinetic * cosine) / rate**2
 
 
-def ring_recording(
-    frequencies: Sequence[float],
-    damping_ratios: Sequence[float],
-    *,
-    amplitudes: Sequence[float] = (5e-3,),
-    rate: float = 400.0,
-    duration: float = 2.0,
-    noise: float = 5e-5,
-    offset: float = 0.01,
-    drift: float = 0.0,
-    seed: int = 0,
-) -> tuple[_Array, _Array]:
-    """Record a strip or sheet that rings freely after it was let go.
-
-    Parameters
-    ----------
-    frequencies, damping_ratios, amplitudes : sequences of float
-        Undamped natural frequencies (Hz), ζ in [0, 1) and amplitudes (m) of the modes.
-    rate, duration : float
-        Rows per second, and s.
-    noise, offset, drift : float
-        Sd of a row (m), static deflection (m), and how fast that settles (m/s).
-    seed : int
-        Of the noise and the phases.
-
-    Returns
-    -------
-    time, deflection : (n,) arrays
-        s and m.
-    """
-    generator = np.random.default_rng(seed)
-    time = np.arange(0.0, duration, 1 / rate)
-    signal = offset + drift * time
-    for f, zeta, amplitude in zip(frequencies, damping_ratios, amplitudes, strict=True):
-        omega, phase = 2 * math.pi * f, generator.uniform(-0.5, 0.5)
-        signal += amplitude * np.exp(-zeta * omega * time) * np.cos(omega * math.sqrt(1 - zeta**2) * time + phase)
-    return time, signal + noise * generator.normal(size=len(time))
-
-
-def write_tilt(path: Path | str, time: _Array, angle: _Array, position: _Array) -> None:
+def write_tilt(path: Path | str, time: Array, angle: Array, position: Array) -> None:
     """Write a tilt as CSV, in s, deg and mm."""
-    _write(path, "time_s,angle_deg,position_mm", np.stack([time, np.degrees(angle), 1e3 * position], axis=1))
-
-
-def write_ring(path: Path | str, time: _Array, deflection: _Array) -> None:
-    """Write a ring as CSV, in s and mm."""
-    _write(path, "time_s,deflection_mm", np.stack([time, 1e3 * deflection], axis=1))
-
-
-def _write(path: Path | str, heading: str, rows: _Array) -> None:
-    with whole_file(path, (".csv",)) as temporary:
-        np.savetxt(temporary, rows, fmt="%.9g", delimiter=",", header=heading, comments="")
+    write_recording(path, ["time_s", "angle_deg", "position_mm"], [time, np.degrees(angle), 1e3 * position])

@@ -14,9 +14,8 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.identify.series import structure
-
-_Array = NDArray[np.float64]
 
 MOST_MODES = 3
 _DECAYS = (0.0, 2.0, 5.0, 10.0, 20.0, 40.0, 80.0, 160.0)  # over the recording: decay rates tried for a start
@@ -32,7 +31,7 @@ _RIDGE = 1e-13  # keeps columns that are alike from dividing by zero
 _ROUNDING = 1e-20  # share of the squares under which residuals are rounding
 
 
-def mode_columns(time: _Array, omega: float, damping_ratio: float) -> _Array:
+def mode_columns(time: Array, omega: float, damping_ratio: float) -> Array:
     """(n, 2) two solutions of y'' + 2 ζ ω y' + ω² y = 0, the second as velocity per ω, steady through ζ = 1."""
     decay, square = damping_ratio * omega, omega**2 * (1 - damping_ratio**2)
     if square >= 0:
@@ -45,7 +44,7 @@ def mode_columns(time: _Array, omega: float, damping_ratio: float) -> _Array:
     return np.stack([(slow + fast) / 2, (slow - fast) * omega / (2 * spread)], axis=1)
 
 
-def matrix_pencil(signal: _Array, interval: float, order: int) -> NDArray[np.complex128]:
+def matrix_pencil(signal: Array, interval: float, order: int) -> NDArray[np.complex128]:
     """Poles s of a signal Σ c e^{s t} at even intervals, by the matrix pencil (Hua and Sarkar, 1990).
 
     Parameters
@@ -96,20 +95,20 @@ class DecayFit:
         Bayesian information criterion, corrected for few rows (A. McQuarrie, C.-L. Tsai, 1998).
     """
 
-    omega: _Array
-    damping_ratio: _Array
-    covariance: _Array
-    amplitude: _Array
-    share: _Array
-    fitted: _Array
-    line: _Array
+    omega: Array
+    damping_ratio: Array
+    covariance: Array
+    amplitude: Array
+    share: Array
+    fitted: Array
+    line: Array
     noise: float
     structure: float
     freedom: int
     bic: float
 
 
-def fit_decays(time: _Array, signal: _Array, modes: int | None = None) -> DecayFit:
+def fit_decays(time: Array, signal: Array, modes: int | None = None) -> DecayFit:
     """Fit decaying modes to a recording: as many as the Bayesian information criterion takes, or as said.
 
     Parameters
@@ -141,7 +140,7 @@ def _scaled(fit: DecayFit, scale: float, mean: float) -> DecayFit:
     )  # fmt: skip
 
 
-def _starts(time: _Array, y: _Array, fewer: DecayFit, count: int) -> list[_Array]:
+def _starts(time: Array, y: Array, fewer: DecayFit, count: int) -> list[Array]:
     """First guesses (ln ω, ζ of each mode): the modes found so far with one more, and all anew by the matrix pencil."""
     found = np.stack([np.log(fewer.omega), fewer.damping_ratio], axis=1).ravel()
     left = y - fewer.fitted if count > 1 else y - y[-max(1, len(y) // 5) :].mean()
@@ -159,7 +158,7 @@ def _starts(time: _Array, y: _Array, fewer: DecayFit, count: int) -> list[_Array
     return starts
 
 
-def _matched(time: _Array, left: _Array) -> tuple[float, float]:
+def _matched(time: Array, left: Array) -> tuple[float, float]:
     """(ln ω, ζ) of the decaying oscillation that looks most like what is left, over all frequencies and some decays."""
     n, duration = len(time), float(time[-1])
     even = np.linspace(0.0, duration, n)
@@ -179,7 +178,7 @@ def _matched(time: _Array, left: _Array) -> tuple[float, float]:
     return math.log(natural), decay / natural
 
 
-def _refine(time: _Array, y: _Array, start: _Array) -> DecayFit:
+def _refine(time: Array, y: Array, start: Array) -> DecayFit:
     """Least squares over ln ω and ζ; amplitudes and line are solved for each (variable projection)."""
     from scipy.optimize import least_squares
 
@@ -191,11 +190,11 @@ def _refine(time: _Array, y: _Array, start: _Array) -> DecayFit:
     upper = np.stack([np.clip(log + _REACH, slowest + 1, fastest), np.full(count, _LARGEST_RATIO)], axis=1).ravel()
     inside = np.clip(start, lower + 1e-6, upper - 1e-6)
 
-    def residual(parameters: _Array) -> _Array:
+    def residual(parameters: Array) -> Array:
         columns = _columns(time, parameters)
         return y - columns @ _weights(columns, y)
 
-    def jacobian(parameters: _Array) -> _Array:
+    def jacobian(parameters: Array) -> Array:
         # L. Kaufman's form of variable projection: the columns' slopes, less what the columns can make up for.
         columns = _columns(time, parameters)
         weights = _weights(columns, y)
@@ -220,7 +219,7 @@ def _neighbours(omega: float, zeta: float) -> tuple[tuple[tuple[float, float], t
     )
 
 
-def _weights(columns: _Array, y: _Array) -> _Array:
+def _weights(columns: Array, y: Array) -> Array:
     """Least-squares weights of the columns, by normal equations with one correction.
 
     Orthogonalising tall columns would be left to a threaded LAPACK, which takes twenty times longer on a busy machine.
@@ -232,13 +231,13 @@ def _weights(columns: _Array, y: _Array) -> _Array:
     return first + inverse @ (columns.T @ (y - columns @ first))
 
 
-def _columns(time: _Array, parameters: _Array) -> _Array:
+def _columns(time: Array, parameters: Array) -> Array:
     pairs = parameters.reshape(-1, 2)
     own = [mode_columns(time, math.exp(log), zeta) for log, zeta in pairs]
     return np.concatenate([np.stack([np.ones_like(time), time / time[-1]], axis=1), *own], axis=1)
 
 
-def _assess(time: _Array, y: _Array, parameters: _Array, jacobian: _Array | None = None) -> DecayFit:
+def _assess(time: Array, y: Array, parameters: Array, jacobian: Array | None = None) -> DecayFit:
     """The fit at given parameters, with modes in order of frequency."""
     order = np.argsort(parameters[::2])
     parameters = parameters.reshape(-1, 2)[order].ravel()
@@ -250,7 +249,7 @@ def _assess(time: _Array, y: _Array, parameters: _Array, jacobian: _Array | None
     freedom = max(1, n - columns.shape[1] - len(parameters))
     squares = max(float(left @ left), _ROUNDING * float(y @ y), 1e-300)
     variance = float(left @ left) / freedom
-    covariance: _Array = np.zeros((len(parameters), len(parameters)))
+    covariance: Array = np.zeros((len(parameters), len(parameters)))
     if jacobian is not None:
         places = np.stack([2 * order, 2 * order + 1], axis=1).ravel()
         covariance[:] = variance * np.linalg.pinv((jacobian.T @ jacobian)[np.ix_(places, places)], hermitian=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from plategait.plots.figures import BLUE, GREY, RED
+from plategait.plots.style import BLUE, GREY, RED
 
 if TYPE_CHECKING:
     from plategait.identify.modes.result import RingResult

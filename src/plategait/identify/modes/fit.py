@@ -10,21 +10,19 @@ import math
 from typing import get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.identify.fit import determined, interval
 from plategait.identify.modes.decay import DecayFit, fit_decays
 from plategait.identify.modes.recording import LEAST_ROWS, RingRecording, shortened
 from plategait.identify.modes.result import RingMode, RingResult, Support
 from plategait.identify.series import Window
-from plategait.model.fragment import CONFIDENCE, Measured
+from plategait.model.measured import CONFIDENCE, Measured
 from plategait.model.outline import occupied_squares
 from plategait.model.sheet import Sheet
 from plategait.theory.rigid import GRAVITY
 from plategait.theory.vibration import cantilever_frequencies
-
-_Array = NDArray[np.float64]
 
 _NEAR_NYQUIST = 1 / 3  # of the rows per second: a frequency above may well be another one, folded
 _STRUCTURED = 0.3  # correlation of neighbouring residuals that noise does not have
@@ -113,7 +111,7 @@ def _cantilever_stiffness(omega: float, mass_per_area: float, length: float) -> 
 
 def _result(
     recording: RingRecording, support: Support, sheet: Sheet, modes: tuple[RingMode, ...], chosen: int | None,
-    fit: DecayFit, time: _Array, signal: _Array, notes: list[str], k_b: float = 0.0, spread: float = 0.0,
+    fit: DecayFit, time: Array, signal: Array, notes: list[str], k_b: float = 0.0, spread: float = 0.0,
 ) -> RingResult:  # fmt: skip
     """Gather the result; `spread` is the sd of ln k_b that the frequency does not explain."""
     natural = stiffness = damping = None
@@ -149,7 +147,7 @@ def _mass_per_area(sheet: Sheet) -> float:
     return sheet.mass / (float(occupied_squares(sheet.outline, square).sum()) * square**2)
 
 
-def _covariance(fit: DecayFit) -> _Array:
+def _covariance(fit: DecayFit) -> Array:
     """Widened where neighbouring residuals hang together, as for a first-order process."""
     r = min(fit.structure, 0.95)
     return fit.covariance * ((1 + r) / (1 - r) if r > _STRUCTURED else 1.0)
@@ -172,7 +170,7 @@ def _logarithmic(value: float, sd: float, freedom: float) -> Measured:
     return Measured(value, value * sd, value / reach, value * reach)
 
 
-def _oddities(fit: DecayFit, modes: tuple[RingMode, ...], chosen: int | None, time: _Array) -> list[str]:
+def _oddities(fit: DecayFit, modes: tuple[RingMode, ...], chosen: int | None, time: Array) -> list[str]:
     notes = []
     rate = (len(time) - 1) / float(time[-1] - time[0])
     if any(m.rings and m.frequency > _NEAR_NYQUIST * rate for m in modes):

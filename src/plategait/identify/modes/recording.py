@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.table import Column, read_table
 from plategait.identify.series import thin
-
-_Array = NDArray[np.float64]
 
 EXAMPLE = "time_s,deflection_mm"
 LEAST_ROWS = 12
@@ -37,8 +35,8 @@ class RingRecording:
 
     name: str
     kind: str
-    time: _Array
-    signal: _Array
+    time: Array
+    signal: Array
 
     def __post_init__(self) -> None:
         """Refuse what is no recording."""
@@ -70,7 +68,7 @@ def read_ring(path: Path | str) -> RingRecording:
     return RingRecording(table.path.name, found[0], table["time"], values)
 
 
-def shortened(time: _Array, signal: _Array) -> tuple[_Array, _Array, list[str]]:
+def shortened(time: Array, signal: Array) -> tuple[Array, Array, list[str]]:
     """At most `_MOST_ROWS` rows: means of as many as the frequency allows, then the beginning only."""
     n = len(time)
     if n <= _MOST_ROWS:

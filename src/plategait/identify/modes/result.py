@@ -7,13 +7,12 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.identify.shown import numbers
-from plategait.model.fragment import CONFIDENCE, Fragment, Measured
+from plategait.model.fragment import Fragment
+from plategait.model.measured import CONFIDENCE, Measured, numbers
 
-_Array = NDArray[np.float64]
 Support = Literal["free", "cantilever"]
 
 
@@ -82,9 +81,9 @@ class RingResult:
     damping: Measured | None
     correlation: float
     torsion_ratio: float
-    time: _Array
-    signal: _Array
-    fitted: _Array
+    time: Array
+    signal: Array
+    fitted: Array
     notes: tuple[str, ...]
 
     @property

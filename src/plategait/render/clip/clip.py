@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.camera.camera import Camera
 from plategait.camera.writer import SUFFIXES, Schedule, film_file, schedule
 from plategait.errors import InputError
@@ -20,11 +21,10 @@ from plategait.render.clip.studio import Studio, covered_frames
 from plategait.render.clip.truth import Truth, truth_path
 from plategait.render.shots import Shots
 from plategait.simulation import observables
-from plategait.simulation.run import Simulation
+from plategait.simulation.result import Simulation
 
 __all__ = ["Studio", "Truth", "covered_frames", "film", "truth_path", "usual_camera"]
 
-Array = NDArray[np.float64]
 
 _FIELD_OF_VIEW, _ELEVATION, _AZIMUTH = math.radians(26), math.radians(58), math.radians(-12)
 _FILLED = 0.92  # share of the picture that the plate takes at most

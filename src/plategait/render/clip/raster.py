@@ -9,11 +9,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.camera.camera import Camera
 from plategait.render.clip.scene import MATT, Surfaces
 from plategait.render.clip.textures import Paint
 
-Array = NDArray[np.float64]
 Floats = NDArray[np.float32]
 
 # The rasterizer gets points already projected, and puts them back with this angle of its own.

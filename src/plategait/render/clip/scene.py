@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.camera.camera import Camera
 from plategait.camera.fiducials import CENTRE_MARKER, CORNER_SIGNS, RIM_MARKER, RIM_PLACE, PlateTarget, plate_target
 from plategait.model.motion import rotation_of
@@ -19,7 +20,6 @@ from plategait.render.clip.look import Look
 from plategait.render.clip.textures import Paint, paint
 from plategait.render.skin import Skin, Spline, unit_vectors
 
-Array = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
 MATT = 1.15

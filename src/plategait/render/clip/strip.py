@@ -9,14 +9,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array, Picture
 from plategait.camera.writer import SUFFIXES, film_file
 from plategait.errors import InputError
 from plategait.files.output import check_writable
-from plategait.identify.bending.synthetic import strip_angles
-from plategait.theory.two_links import Joints, Strip
-
-Array = NDArray[np.float64]
-Image = NDArray[np.uint8]
+from plategait.theory.two_links import Joints, Strip, strip_angles
 
 _MOMENTS = 4  # of an exposure
 _FINER = 2  # the scene is drawn this many times finer, then averaged
@@ -119,7 +116,7 @@ def film_cantilever(
     return StripFilm(frames, places.mean(axis=1), pixels.mean(axis=1))
 
 
-def _picture(markers: Array, size: tuple[int, int], scale: float, left: bool) -> Image:
+def _picture(markers: Array, size: tuple[int, int], scale: float, left: bool) -> Picture:
     """One moment: clamp, strip along a smooth curve through the markers (3, 2), px, and the markers on it."""
     image = np.full((size[1] * _FINER, size[0] * _FINER, 3), _BEHIND, np.uint8)
 

@@ -7,14 +7,13 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.camera.camera import Camera
 from plategait.model.scenario import Scenario
 from plategait.render.clip.look import Look
 from plategait.render.clip.raster import Darkroom, Sensor, View
 from plategait.render.clip.scene import Flap, Scene, scatter_flaps
 from plategait.render.shots import Shots
-
-Array = NDArray[np.float64]
 
 # Shifts within a pixel of the pictures that one exposure is made of (px), and how far things may move between two.
 _SHIFTS = np.array([(-0.125, -0.375), (0.375, -0.125), (-0.375, 0.125), (0.125, 0.375)])

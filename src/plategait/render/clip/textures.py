@@ -8,11 +8,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array, Picture
 from plategait.camera.fiducials import IDS, MODULES, PlateTarget, marker_modules
 from plategait.render.clip.look import Colour, Look
-
-Array = NDArray[np.float64]
-Image = NDArray[np.uint8]
 
 _PIXELS = 900  # of a tile's longer side
 _GAP = 6  # px around a tile, so that interpolation never reaches its neighbour
@@ -51,7 +49,7 @@ class Paint:
         Plain colours: of the object's rim, of bar and slab, and of what covers markers.
     """
 
-    pixels: Image
+    pixels: Picture
     plate: Tile
     upper: Tile
     under: Tile
@@ -117,7 +115,7 @@ def _shape(half: tuple[float, float]) -> tuple[int, int]:
     return max(8, round(scale * half[1])), max(8, round(scale * half[0]))
 
 
-def _food(shape: tuple[int, int], half: tuple[float, float], colour: Colour, contrast: float, seed: int) -> Image:
+def _food(shape: tuple[int, int], half: tuple[float, float], colour: Colour, contrast: float, seed: int) -> Picture:
     """Speckle of lumps from 15 mm down to 1 mm, and some darker spots, as on cheese or a pancake."""
     generator = np.random.default_rng(seed)
     per_mm = 1e-3 * shape[1] / (2 * half[0])
@@ -136,7 +134,7 @@ def _food(shape: tuple[int, int], half: tuple[float, float], colour: Colour, con
     return np.clip(base * light[..., None] * (1, 1, 1), 0, 255).astype(np.uint8)
 
 
-def _bench(shape: tuple[int, int], seed: int) -> Image:
+def _bench(shape: tuple[int, int], seed: int) -> Picture:
     """Out-of-focus workshop behind the plate."""
     generator = np.random.default_rng(seed + 3)
     field = 0.6 * clouds(shape, shape[1] / 5, generator) + 0.4 * clouds(shape, shape[1] / 14, generator)
@@ -144,7 +142,7 @@ def _bench(shape: tuple[int, int], seed: int) -> Image:
     return np.clip(np.stack([grey - 6 * tint, grey, grey + 6 * tint + 8], axis=-1), 0, 255).astype(np.uint8)
 
 
-def _plate(shape: tuple[int, int], look: Look) -> Image:
+def _plate(shape: tuple[int, int], look: Look) -> Picture:
     """Brushed along x, with a few stains."""
     generator = np.random.default_rng(look.seed + 2)
     brushing = cv2.GaussianBlur(generator.normal(size=shape).astype(np.float32), (0, 0), sigmaX=25, sigmaY=0.8)
@@ -153,7 +151,9 @@ def _plate(shape: tuple[int, int], look: Look) -> Image:
     return np.clip(np.array(look.plate_colour[::-1], np.float32) * light[..., None], 0, 255).astype(np.uint8)
 
 
-def _fill(image: Image, half: tuple[float, float], corners: list[tuple[float, float]] | Array, colour: Colour) -> None:
+def _fill(
+    image: Picture, half: tuple[float, float], corners: list[tuple[float, float]] | Array, colour: Colour
+) -> None:
     """Fill the rectangle between two corners (m), its edges mixed as far as they cover a pixel."""
     tile = Tile((0, 0), (image.shape[1], image.shape[0]), half)
     places = tile.place(np.asarray(corners))
@@ -169,7 +169,7 @@ def _fill(image: Image, half: tuple[float, float], corners: list[tuple[float, fl
     part[:] = np.round(part * (1 - cover) + cover * np.array(colour[::-1]))
 
 
-def _print(image: Image, half: tuple[float, float], target: PlateTarget) -> None:
+def _print(image: Picture, half: tuple[float, float], target: PlateTarget) -> None:
     """Print the corner markers on white paper."""
     module = target.marker / MODULES
     for number, corners in zip(IDS, target.corners, strict=True):
@@ -182,7 +182,7 @@ def _print(image: Image, half: tuple[float, float], target: PlateTarget) -> None
                 _fill(image, half, [(x, y - module), (x + module, y)], (24, 24, 26))
 
 
-def _side_by_side(images: list[Image]) -> tuple[Image, list[tuple[int, int]]]:
+def _side_by_side(images: list[Picture]) -> tuple[Picture, list[tuple[int, int]]]:
     """Put images into one, each with its edge repeated around it, and say where their first pixels are."""
     framed = [cv2.copyMakeBorder(i, _GAP, _GAP, _GAP, _GAP, cv2.BORDER_REPLICATE) for i in images]
     height = max(i.shape[0] for i in framed)

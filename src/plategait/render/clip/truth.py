@@ -10,12 +10,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.camera.camera import Camera
 from plategait.camera.fiducials import PlateTarget
 from plategait.files.output import whole_file
 from plategait.simulation.observables import SpinRate
-
-Array = NDArray[np.float64]
 
 # Of a marker that lies flat: as much as must be seen to call it visible.
 _VISIBLE = 0.5

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from plategait import published
-from plategait.simulation.run import FILM_INTERVAL, Simulation, simulate_all
+from plategait.simulation.result import Simulation
+from plategait.simulation.run import FILM_INTERVAL, simulate_all
 from plategait.thesis import draw
 from plategait.thesis.cases import Case
 from plategait.thesis.item import Check, Comparison, Item, Spec, verdict

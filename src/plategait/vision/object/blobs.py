@@ -6,12 +6,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array, Picture
 from plategait.vision.plate.rectified import Grid
-
-Array = NDArray[np.float64]
-Plane = NDArray[np.uint8]
 
 # What a byte of likeness is for the markers' own colour, and the least, as a share of it, that counts.
 ALIKE, FAINT = 128, 0.15
@@ -29,7 +26,7 @@ class Blob(NamedTuple):
     fill: float
 
 
-def blobs_in(binary: Plane, grid: Grid, likeness: Plane | None = None) -> list[Blob]:
+def blobs_in(binary: Picture, grid: Grid, likeness: Picture | None = None) -> list[Blob]:
     """Connected patches with an area that a marker may have, the largest first.
 
     With a likeness, middles and areas are weighted by it, which makes them finer than a pixel.

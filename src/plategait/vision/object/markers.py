@@ -5,16 +5,13 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import permutations
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array, Picture
 from plategait.vision.object.blobs import ALIKE, Blob, blobs_in
+from plategait.vision.object.pose import NOWHERE, Pose
 from plategait.vision.plate.rectified import Grid
-
-Array = NDArray[np.float64]
-Plane = NDArray[np.uint8]
 
 # Distances between the markers' middles, m, that are looked for.
 LEAST_APART, MOST_APART = 6e-3, 80e-3
@@ -62,7 +59,7 @@ class MarkerLook:
     centre: Array
     others: int = 0
 
-    def likeness(self, patch: Plane) -> Plane:
+    def likeness(self, patch: Picture) -> Picture:
         """(rows, columns): 0 for the grounds' colours, `ALIKE` for the markers' (bytes are quick)."""
         import cv2
 
@@ -78,20 +75,7 @@ class MarkerLook:
         return (each[0] if len(each) == 1 else cv2.min(each[0], each[1])).astype(np.uint8, copy=False)
 
 
-class Pose(NamedTuple):
-    """The object in one picture: middle (x, y), m; angle, rad; why it is uncertain; distance of the markers, m."""
-
-    x: float
-    y: float
-    angle: float
-    reason: str = ""
-    apart: float = math.nan
-
-
-NOWHERE = Pose(math.nan, math.nan, math.nan, "markers not seen")
-
-
-def learn_look(patches: list[Plane], grid: Grid, mask: Plane) -> MarkerLook | None:
+def learn_look(patches: list[Picture], grid: Grid, mask: Picture) -> MarkerLook | None:
     """What the markers look like, from some frames of a clip; None where there is no such pair in enough of them."""
     found = [pairs_in(patch, grid, mask) for patch in patches]
     best = [pairs[0] for pairs in found if pairs]
@@ -117,7 +101,7 @@ def learn_look(patches: list[Plane], grid: Grid, mask: Plane) -> MarkerLook | No
     )
 
 
-def plate_colour(patch: Plane, allowed: Plane) -> Array:
+def plate_colour(patch: Picture, allowed: Picture) -> Array:
     """Median colour of the plate's rim, in a picture of the whole plate."""
     rows, columns = patch.shape[:2]
     rim = np.zeros((rows, columns), bool)
@@ -151,7 +135,7 @@ def _another(first: Pair, pair: Pair, apart: float) -> bool:
                 and np.all(np.abs(np.log(pair.areas / first.areas)) < 0.4))  # fmt: skip
 
 
-def pairs_in(patch: Plane, grid: Grid, mask: Plane) -> list[Pair]:
+def pairs_in(patch: Picture, grid: Grid, mask: Picture) -> list[Pair]:
     """Pairs of rectangles of one colour that form a radial line, the likeliest first."""
     import cv2
 
@@ -170,7 +154,7 @@ def pairs_in(patch: Plane, grid: Grid, mask: Plane) -> list[Pair]:
     return sorted(pairs, key=lambda pair: -pair.score)
 
 
-def _pairs(blobs: list[Blob], patch: Plane, grid: Grid) -> list[Pair]:
+def _pairs(blobs: list[Blob], patch: Picture, grid: Grid) -> list[Pair]:
     colours = [_colours(patch, grid, blob) for blob in blobs]
     pairs = []
     for i, j in permutations(range(len(blobs)), 2):
@@ -194,7 +178,7 @@ def _pairs(blobs: list[Blob], patch: Plane, grid: Grid) -> list[Pair]:
     return pairs
 
 
-def _colours(patch: Plane, grid: Grid, blob: Blob) -> tuple[Array, Array]:
+def _colours(patch: Picture, grid: Grid, blob: Blob) -> tuple[Array, Array]:
     """Colour inside a blob and in a ring around it."""
     column, row = grid.pixels(blob.middle)
     inner = max(1.0, 0.3 * math.sqrt(blob.area) / grid.pitch)
@@ -233,7 +217,7 @@ class MarkerTracker:
     def _reach(self) -> float:
         return MOST_MOVE + 2e-3 * min(self._lost, 30)
 
-    def find(self, patch: Plane, grid: Grid, mask: Plane) -> Pose:
+    def find(self, patch: Picture, grid: Grid, mask: Picture) -> Pose:
         """Pose in a warped picture, among what the mask allows."""
         likeness = self.look.likeness(patch) * mask
         blobs = blobs_in((likeness > ALIKE // 2).astype(np.uint8), grid, likeness)

@@ -12,9 +12,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from plategait.arrays import Array
 
 # Fewest frames and turns that tell the lift, and pieces of the line that the angle is measured against, per turn.
 FEWEST, LEAST_TURNS, MOST_PIECES = 20, 0.3, 6

@@ -13,11 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.vision.object.markers import Pose, plate_colour
+from plategait.arrays import Array, Picture
+from plategait.vision.object.markers import plate_colour
+from plategait.vision.object.pose import Pose
 from plategait.vision.plate.rectified import Grid
-
-Array = NDArray[np.float64]
-Plane = NDArray[np.uint8]
 
 # Angles and rings of an unrolled picture, and the share of the radius that the rings cover.
 ANGLES, RINGS, INNER, OUTER = 512, 28, 0.2, 0.9
@@ -65,7 +64,7 @@ class ObjectLook:
         """Of a disk with its area, m."""
         return math.sqrt(self.area / math.pi)
 
-    def mask(self, patch: Plane, allowed: Plane) -> Plane:
+    def mask(self, patch: Picture, allowed: Picture) -> Picture:
         """1 where a picture shows the object's colour rather than the plate's."""
         import cv2
 
@@ -77,7 +76,7 @@ class ObjectLook:
         return cv2.morphologyEx(binary, cv2.MORPH_OPEN, np.ones((5, 5), np.uint8)).astype(np.uint8, copy=False)
 
 
-def learn_object(patches: list[Plane], grid: Grid, allowed: Plane) -> ObjectLook | None:
+def learn_object(patches: list[Picture], grid: Grid, allowed: Picture) -> ObjectLook | None:
     """What the object looks like, from some frames of a clip; None where nothing stands out from the plate."""
     import cv2
 
@@ -111,7 +110,7 @@ def learn_object(patches: list[Plane], grid: Grid, allowed: Plane) -> ObjectLook
     return ObjectLook(middle[0], middle[1], float(middle[2]), int(middle[3]))
 
 
-def _parts(binary: Plane, grid: Grid) -> list[Plane]:
+def _parts(binary: Picture, grid: Grid) -> list[Picture]:
     """Connected parts without their holes, the largest first."""
     import cv2
 
@@ -196,7 +195,7 @@ class TextureTracker:
         self.look = look
         self.texture, self.outline = Model("texture"), Model("outline")
 
-    def find(self, patch: Plane, grid: Grid, allowed: Plane) -> tuple[Pose, Pose]:
+    def find(self, patch: Picture, grid: Grid, allowed: Picture) -> tuple[Pose, Pose]:
         """Pose in a warped picture by texture, and by outline; `allowed` is where the object may be."""
         import cv2
 
@@ -227,7 +226,7 @@ class TextureTracker:
             model.learn(rows, turn)
         return Pose(x, y, turn, reason)
 
-    def _unrolled(self, luma: Plane, middle: tuple[float, float], pitch: float) -> tuple[Array, float]:
+    def _unrolled(self, luma: Picture, middle: tuple[float, float], pitch: float) -> tuple[Array, float]:
         """(ANGLES, RINGS) texture by angle counter-clockwise and radius, shading taken out; its contrast, levels."""
         import cv2
 
@@ -246,7 +245,7 @@ class TextureTracker:
         # Edges of shadows and of the plate must not outshout the texture.
         return np.clip(fine, -3 * contrast, 3 * contrast).astype(float), contrast
 
-    def _rim(self, part: Plane, middle: tuple[float, float], pitch: float) -> Array:
+    def _rim(self, part: Picture, middle: tuple[float, float], pitch: float) -> Array:
         """(ANGLES, 1) distance of the outline by angle counter-clockwise, over its mean, less 1."""
         import cv2
 

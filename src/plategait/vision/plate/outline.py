@@ -5,12 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array, Picture
 from plategait.vision.plate.view import PlateView, homography, rigid
-
-Array = NDArray[np.float64]
-Plane = NDArray[np.uint8]
 
 # Shares of the picture that a plate's outline fills.
 LEAST_OUTLINE, MOST_OUTLINE = 0.02, 0.9
@@ -37,7 +34,7 @@ class OutlinePlate:
         x, y = size[0] / 2, size[1] / 2
         self._plate = np.array([[-x, -y], [x, -y], [x, y], [-x, y]])
 
-    def find(self, luma: Plane) -> PlateView:
+    def find(self, luma: Picture) -> PlateView:
         """Plate in a picture."""
         quad = self._quadrilateral(luma)
         if quad is None:
@@ -50,7 +47,7 @@ class OutlinePlate:
         """Nothing is printed."""
         return []
 
-    def _quadrilateral(self, luma: Plane) -> Array | None:
+    def _quadrilateral(self, luma: Picture) -> Array | None:
         import cv2
 
         shrink = max(1, round(max(luma.shape) / 640))

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array, Picture
 from plategait.vision.frames import Frame
 from plategait.vision.plate.view import project
-
-Array = NDArray[np.float64]
-Plane = NDArray[np.uint8]
 
 # Longest side of a warped picture, px, and how far it reaches beyond the plate, as a share of the plate.
 MOST_PIXELS, BEYOND = 440, 1.08
@@ -67,7 +64,7 @@ class Grid:
         corner = (self.corner[0] + left * self.pitch, self.corner[1] - top * self.pitch)
         return Grid((bottom - top, right - left), self.pitch, corner), (slice(top, bottom), slice(left, right))
 
-    def mask(self, polygons: list[Array]) -> Plane:
+    def mask(self, polygons: list[Array]) -> Picture:
         """1 outside these polygons on the plate, m; 0 inside."""
         import cv2
 
@@ -76,7 +73,7 @@ class Grid:
             cv2.fillConvexPoly(mask, np.round(self.pixels(polygon)).astype(np.int32), (0,))
         return mask
 
-    def warp(self, frame: Frame, H: Array) -> Plane:
+    def warp(self, frame: Frame, H: Array) -> Picture:
         """(rows, columns, 3) picture, Y, U and V, of the plate from above."""
         import cv2
 

@@ -6,9 +6,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from plategait.arrays import Array
 
 # Frames that the search for a frequency looks at, and what share of the motion a single frequency must hold.
 MOST_FRAMES, LEAST_POWER = 4000, 0.5
@@ -21,7 +20,7 @@ SHORTEST_FOCAL, LONGEST_FOCAL = 0.4, 12.0
 
 
 @dataclass(frozen=True, eq=False)
-class PlateMotion:
+class PlateSwing:
     """What the plate does in a clip.
 
     Attributes
@@ -42,9 +41,9 @@ class PlateMotion:
     focal: float
 
 
-def plate_motion(
+def plate_swing(
     time: Array, views: Array, size: tuple[float, float], middle: tuple[float, float], focal: float | None = None
-) -> PlateMotion:
+) -> PlateSwing:
     """Motion of the plate from its homographies.
 
     Parameters
@@ -62,16 +61,16 @@ def plate_motion(
     """
     seen = np.isfinite(views).all(axis=(1, 2))
     if seen.sum() < 8:
-        return PlateMotion(math.nan, math.nan, None, math.nan)
+        return PlateSwing(math.nan, math.nan, None, math.nan)
     H = np.linalg.inv(np.array([[1, 0, middle[0]], [0, 1, middle[1]], [0, 0, 1.0]])) @ views[seen]
     frequency = _frequency(time[seen], _corners(H, size))
     focal = focal or focal_of(H, max(middle) * 2)
     if not focal:
-        return PlateMotion(frequency, math.nan, None, math.nan)
+        return PlateSwing(frequency, math.nan, None, math.nan)
     R, t = poses(H, focal)
     eye = np.full((len(time), 3), math.nan)
     eye[seen] = -np.einsum("nji,nj->ni", R, t)
-    return PlateMotion(frequency, _tilt(time[seen], R, frequency), eye, focal)
+    return PlateSwing(frequency, _tilt(time[seen], R, frequency), eye, focal)
 
 
 def focal_of(H: Array, longest: float) -> float | None:

@@ -6,12 +6,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from plategait.arrays import Array, Picture
 from plategait.camera.fiducials import PlateTarget
-
-Array = NDArray[np.float64]
-Plane = NDArray[np.uint8]
 
 # Corners of the fiducials that lie further than this from where the homography puts them are not theirs: px, or a share
 # of their side.
@@ -49,7 +46,7 @@ class PlateFinder(Protocol):
 
     lens: Array | None
 
-    def find(self, luma: Plane) -> PlateView:
+    def find(self, luma: Picture) -> PlateView:
         """Plate in a picture."""
         ...
 
@@ -77,7 +74,7 @@ class ScalePlate:
     size: tuple[float, float]
     lens: Array | None = None
 
-    def find(self, luma: Plane) -> PlateView:
+    def find(self, luma: Picture) -> PlateView:
         """Give the same place in every picture."""
         w, h = self.picture
         return PlateView(np.array([[1 / self.scale, 0, w / 2], [0, -1 / self.scale, h / 2], [0, 0, 1.0]]))
@@ -119,7 +116,7 @@ class FiducialPlate:
         self._searched = -SEARCH_EVERY
         self._frames = 0
 
-    def find(self, luma: Plane) -> PlateView:
+    def find(self, luma: Picture) -> PlateView:
         """Plate in a picture."""
         self._frames += 1
         read, outlined = self._near(luma)
@@ -142,7 +139,7 @@ class FiducialPlate:
         """Fiducials, with their white margins."""
         return [c.mean(axis=0) + 1.35 * (c - c.mean(axis=0)) for c in np.asarray(self.target.corners)]
 
-    def _near(self, luma: Plane) -> tuple[dict[int, Array], dict[int, Array]]:
+    def _near(self, luma: Picture) -> tuple[dict[int, Array], dict[int, Array]]:
         """Fiducials where they were seen before: those read, and those known by their outline only."""
         read: dict[int, Array] = {}
         outlined: dict[int, Array] = {}
@@ -160,7 +157,7 @@ class FiducialPlate:
                 outlined[k] = _sharpened(luma, quad)
         return read, outlined
 
-    def _within(self, luma: Plane, box: tuple[int, int, int, int] | None) -> tuple[dict[int, Array], list[Array]]:
+    def _within(self, luma: Picture, box: tuple[int, int, int, int] | None) -> tuple[dict[int, Array], list[Array]]:
         """Corners (4, 2), px, of the fiducials in a part of the picture, by number, and of other quadrilaterals."""
         x, y = (0, 0) if box is None else box[:2]
         part = np.ascontiguousarray(luma if box is None else luma[box[1] : box[3], box[0] : box[2]])
@@ -201,7 +198,7 @@ class FiducialPlate:
         return H if H is None or self.lens is None else rigid(H, plate, pixels, self.lens)
 
 
-def _sharpened(luma: Plane, quad: Array) -> Array:
+def _sharpened(luma: Picture, quad: Array) -> Array:
     """Corners (4, 2), px, finer than a pixel."""
     import cv2
 

@@ -1,10 +1,31 @@
-"""A measured value as programs and people read it."""
+"""A measured value with its uncertainty, for files, programs and people."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
-from plategait.model.fragment import Measured
+CONFIDENCE = 0.95
+"""Of the intervals."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """One measured parameter, SI.
+
+    Attributes
+    ----------
+    value : float
+    sd : float
+        Standard deviation.
+    low, high : float
+        Ends of its interval.
+    """
+
+    value: float
+    sd: float
+    low: float
+    high: float
 
 
 def numbers(measured: Measured | None, factor: float = 1.0) -> dict[str, Any] | None:

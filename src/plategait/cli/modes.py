@@ -1,0 +1,37 @@
+"""`plategait modes`: how a sheet vibrates freely."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from plategait.cli import options, report
+from plategait.files.output import PICTURES, check_outputs
+
+_MODE_KEYS = {"omega": "omega_rad_s", "frequency": "frequency_hz", "damping_ratio": "damping_ratio", "name": "name"}
+
+
+def modes(
+    scenario: options.ScenarioName = "cheese",
+    sheet: options.Sheet = None,
+    natural_frequency: options.NaturalFrequency = None,
+    count: Annotated[int, typer.Option("--count", help="How many to print.", min=1)] = 8,
+    plot: options.Plot = None,
+    as_json: options.Json = False,
+) -> None:
+    """Free-vibration modes of a sheet; the dish mode is the dissertation's natural frequency."""
+    check_outputs((plot, PICTURES, "--plot"))
+    chosen = options.build(scenario, sheet=sheet, natural_frequency=natural_frequency).sheet
+    found = chosen.free_modes
+    if plot:
+        from plategait.plots.figures import plot_modes
+        from plategait.plots.style import save
+
+        save(plot_modes(chosen), plot)
+    if not as_json:
+        return report.print_modes(chosen.name, found, count)
+    keys = ("omega", "frequency", "damping_ratio", "name")
+    report.print_json(
+        {"sheet": chosen.name, "modes": [{_MODE_KEYS[k]: getattr(m, k) for k in keys} for m in found.modes[:count]]}
+    )

@@ -1,0 +1,33 @@
+"""Picture of a pressed link and what was fitted to it."""
+
+from __future__ import annotations
+
+from matplotlib.figure import Figure
+
+from plategait.identify.compression.result import CompressionResult
+from plategait.identify.fit import known
+from plategait.model.measured import words
+from plategait.plots.style import BLUE, ORANGE
+
+
+def plot_compression(result: CompressionResult) -> Figure:
+    """Displacement and force over time, with the reconstructed force, as in Fig. 3.9."""
+    figure = Figure(figsize=(6.4, 4.6), layout="constrained")
+    axes = figure.add_subplot()
+    other = axes.twinx()
+    time = 1e3 * result.time
+    axes.plot(time, 1e3 * result.displacement, "s", color=BLUE, ms=4, mfc="white", label="displacement")
+    other.plot(time, result.force, "o", color=ORANGE, ms=4, label="force")
+    other.plot(time, result.reconstruction, color="black", lw=1.2, label="force, reconstructed")
+    axes.set_xlabel("time (ms)")
+    axes.set_ylabel("displacement $s$ (mm)")
+    other.set_ylabel("force $f_s$ (N)")
+    for each in (axes, other):
+        each.spines["top"].set_visible(False)
+    figure.legend(frameon=False, fontsize=8.5, loc="upper left", bbox_to_anchor=(0.12, 0.86))
+    figure.suptitle(
+        f"$k_c$ = {words(known(result.stiffness), '.3g', 1e-3)} N/mm\n"
+        f"$c_c$ = {words(known(result.damping), '.3g', 1e-3)} N/(mm/s)",
+        x=0.01, ha="left", fontsize=10,
+    )  # fmt: skip
+    return figure

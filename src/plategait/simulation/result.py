@@ -1,0 +1,160 @@
+"""What one scenario shows: its runs, and what they show together."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from plategait.engine.recording import Recording
+from plategait.files.plain import plain
+from plategait.model.scenario import Scenario
+from plategait.simulation.ensemble import Ensemble, mean_of_unfailed
+from plategait.simulation.observables import Failure
+from plategait.simulation.observation import Observation, ensemble_of
+
+
+@dataclass(frozen=True, eq=False)
+class Simulation:
+    """One scenario, run once or as an ensemble of slightly different starts.
+
+    Attributes
+    ----------
+    scenario : Scenario
+    recordings : tuple of Recording
+        One for each start; the first start is the scenario's own.
+    observations : tuple of Observation
+        What each shows.
+    engine : str
+    seed : int
+        Of the starts.
+    wall : float
+        Time the engine took, s, for the whole batch that this was part of, shared out by simulated time.
+    """
+
+    scenario: Scenario
+    recordings: tuple[Recording, ...]
+    observations: tuple[Observation, ...]
+    engine: str
+    seed: int
+    wall: float
+
+    @cached_property
+    def _shown(self) -> Ensemble:
+        return ensemble_of([self.observations])
+
+    @property
+    def failed(self) -> bool:
+        """Whether at least half of the runs failed (see `plategait.simulation.ensemble` for this and the means)."""
+        return bool(self._shown.failed[0])
+
+    @property
+    def failed_runs(self) -> int:
+        """Number of runs that failed."""
+        return int(self._shown.failed_runs[0])
+
+    @property
+    def counted_runs(self) -> int:
+        """Number of runs that the spin rate is over."""
+        return int(self._shown.counted_runs[0])
+
+    @property
+    def failure(self) -> Failure | None:
+        """Commonest failure with its median time; None where no run failed."""
+        kind = self._shown.failure[0]
+        return Failure(kind, float(self._shown.failure_time[0])) if kind else None
+
+    @property
+    def failures(self) -> dict[str, list[float]]:
+        """Times at which runs failed, s, by kind, the commonest first."""
+        times: dict[str, list[float]] = {}
+        for failure in (o.failure for o in self.observations if o.failure is not None):
+            times.setdefault(failure.kind, []).append(failure.time)
+        return dict(sorted(times.items(), key=lambda item: -len(item[1])))
+
+    @property
+    def spin_rate(self) -> float:
+        """Mean spin rate of the runs that did not fail, rad/s, counter-clockwise positive; NaN where there is none."""
+        return float(self._shown.rate[0])
+
+    @property
+    def spin_rate_interval(self) -> tuple[float, float]:
+        """95 % interval of the spin rate, rad/s: within the run, or of the ensemble's mean."""
+        return float(self._shown.low[0]), float(self._shown.high[0])
+
+    @property
+    def spin_rate_sd(self) -> float:
+        """Standard deviation of the spin rate, rad/s: over the ensemble, or for one run over its blocks of periods."""
+        return float(self._shown.spread[0])
+
+    @property
+    def settled(self) -> bool:
+        """Whether every run that counts has settled, and the scenario has not failed."""
+        return bool(self._shown.settled[0])
+
+    @property
+    def gait(self) -> str:
+        """Gait of most runs that did not fail, of equals the livelier; empty where there is none."""
+        return self._shown.gait[0]
+
+    @property
+    def open_ledgers(self) -> int:
+        """Number of runs whose energy does not balance, failed ones included."""
+        return sum(not o.energy.closes for o in self.observations)
+
+    @property
+    def sound(self) -> bool:
+        """Whether no run failed and every run's energy balances."""
+        return not self.failed_runs and not self.open_ledgers
+
+    def _mean(self, of: Callable[[Observation], float]) -> float:
+        """Mean of a number over the runs that did not fail."""
+        failed = [o.failure is not None for o in self.observations]
+        return float(mean_of_unfailed([of(o) for o in self.observations], failed))
+
+    def _worst(self, of: Callable[[Observation], float]) -> float:
+        """Number of the run in which it is furthest from zero; NaN where a run has none."""
+        return max((of(o) for o in self.observations), key=lambda x: math.inf if math.isnan(x) else abs(x))
+
+    @property
+    def simulated(self) -> float:
+        """Simulated time over all runs, s."""
+        return sum(r.steps * r.dt for r in self.recordings)
+
+    def summary(self) -> dict[str, Any]:
+        """Plain numbers in the units that people use, for `--json`; None where nothing could be measured."""
+        low, high = self.spin_rate_interval
+        failure = self.failure
+        numbers: dict[str, Any] = {
+            "frequency_hz": self.scenario.motion.frequency,
+            "spin_rate_deg_s": math.degrees(self.spin_rate),
+            "spin_rate_sd_deg_s": math.degrees(self.spin_rate_sd),
+            "spin_rate_interval_deg_s": [math.degrees(low), math.degrees(high)],
+            "settled": self.settled,
+            "gait": self.gait or None,
+            "failed": self.failed,
+            "failed_runs": self.failed_runs,
+            "failure": failure.kind if failure else None,
+            "failure_time_s": failure.time if failure else None,
+            "failures": {kind: len(times) for kind, times in self.failures.items()},
+            "drift_mm": 1e3 * self._mean(lambda o: o.drift),
+            "contact_fraction": self._mean(lambda o: o.contact_fraction),
+            "flight_fraction": self._mean(lambda o: o.flight_fraction),
+            "bending_amplitude_deg": math.degrees(self._mean(lambda o: o.bending_amplitude)),
+            "plate_power_mw": 1e3 * self._mean(lambda o: o.plate_power),
+            "energy_residual": self._worst(lambda o: o.energy.relative_residual),
+            "energy_imbalance": self._worst(lambda o: o.energy.imbalance),
+            "energy_closed": not self.open_ledgers,
+            "open_ledgers": self.open_ledgers,
+            "runs": len(self.recordings),
+            "counted_runs": self.counted_runs,
+            "engine": self.engine,
+            "seed": self.seed,
+            "dt_s": self.recordings[0].dt,
+            "steps": self.recordings[0].steps,
+            "wall_s": self.wall,
+            "simulated_s_per_wall_s": self.simulated / self.wall if self.wall > 0 else None,
+        }
+        return {key: plain(value) for key, value in numbers.items()}
