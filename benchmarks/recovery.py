@@ -18,8 +18,9 @@ from typing import Any
 
 import numpy as np
 
-from plategait.curve.curve import Curve, fit_curve
+from plategait.curve.curve import Curve
 from plategait.curve.protocol import measured_as
+from plategait.curve.spin_curve import fit_curve
 from plategait.errors import InputError
 from plategait.estimate.linear import estimate_linear
 from plategait.estimate.result import estimate_parameters

@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from plategait.campaign.plan import read_sweep as read_sweep
     from plategait.campaign.run import sweep as sweep
     from plategait.curve.curve import Curve as Curve
-    from plategait.curve.curve import read_curve as read_curve
-    from plategait.curve.curve import spin_curve as spin_curve
-    from plategait.curve.curve import write_curve as write_curve
+    from plategait.curve.curve_file import read_curve as read_curve
+    from plategait.curve.curve_file import write_curve as write_curve
     from plategait.curve.lorentz import LorentzFit as LorentzFit
     from plategait.curve.lorentz import fit_lorentzian as fit_lorentzian
+    from plategait.curve.spin_curve import spin_curve as spin_curve
     from plategait.errors import InputError as InputError
     from plategait.estimate.planning import next_measurement as next_measurement
     from plategait.estimate.result import Estimate as Estimate
@@ -52,6 +52,8 @@ if TYPE_CHECKING:
     from plategait.model.sheet import Sheet as Sheet
     from plategait.simulation.dataset import dataset_of as dataset_of
     from plategait.simulation.dataset import write_dataset as write_dataset
+    from plategait.simulation.registry import Observable as Observable
+    from plategait.simulation.registry import add_observable as add_observable
     from plategait.simulation.result import Simulation as Simulation
     from plategait.simulation.run import simulate as simulate
     from plategait.simulation.run import simulate_all as simulate_all
@@ -61,8 +63,10 @@ _HOMES = {
     "campaign.opened": ("Campaign", "open_sweep"),
     "campaign.plan": ("Sweep", "read_sweep"),
     "campaign.run": ("sweep",),
-    "curve.curve": ("Curve", "read_curve", "spin_curve", "write_curve"),
+    "curve.curve": ("Curve",),
+    "curve.curve_file": ("read_curve", "write_curve"),
     "curve.lorentz": ("LorentzFit", "fit_lorentzian"),
+    "curve.spin_curve": ("spin_curve",),
     "errors": ("InputError",),
     "estimate.planning": ("next_measurement",),
     "estimate.result": ("Estimate", "estimate_parameters"),
@@ -75,6 +79,7 @@ _HOMES = {
     "model.scenario_file": ("read_scenario", "write_scenario"),
     "model.sheet": ("Sheet",),
     "simulation.dataset": ("dataset_of", "write_dataset"),
+    "simulation.registry": ("Observable", "add_observable"),
     "simulation.result": ("Simulation",),
     "simulation.run": ("simulate", "simulate_all"),
     "version": ("__version__",),

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from published import F0, frequencies, scenario
 
-from plategait.curve.curve import spin_curve
 from plategait.curve.protocol import measured_as
+from plategait.curve.spin_curve import spin_curve
 from plategait.model.presets import preset
 from plategait.simulation.observables import GAITS
 from plategait.simulation.run import simulate, simulate_all

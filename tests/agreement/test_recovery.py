@@ -7,8 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from plategait.curve.curve import Curve, spin_curve
+from plategait.curve.curve import Curve
 from plategait.curve.protocol import measured_as
+from plategait.curve.spin_curve import spin_curve
 from plategait.estimate.judgement import check_fit
 from plategait.estimate.planning import next_measurement
 from plategait.estimate.prediction import predict

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from plategait.cli import main
-from plategait.curve.curve import COLUMNS, read_curve
+from plategait.curve.curve_file import COLUMNS, read_curve
 from plategait.model.presets import PRESETS, preset
 from plategait.model.scenario_file import read_scenario, write_scenario
 from plategait.simulation.run import simulate
@@ -112,7 +112,7 @@ def test_a_failure_is_exit_status_1(tmp_path):
 def test_a_failure_in_part_shows_everywhere(tmp_path):
     # The limit of slip that two of these four starts keep.
     base = preset("cheese").scenario.replace(duration=0.6)
-    drifts = sorted(o.drift for o in simulate(base, repeats=4, seed=3).observations)
+    drifts = sorted(o["drift"] for o in simulate(base, repeats=4, seed=3).observations)
     (tmp_path / "s.toml").write_text(write_scenario(base.replace(slip_limit=0.5 * (drifts[1] + drifts[2]))))
     four = ("s.toml", "--repeats", "4", "--seed", "3")
     table = plategait("simulate", *four, cwd=tmp_path, check=1).stdout

@@ -10,7 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plategait.curve.curve import COLUMNS, Curve, fit_curve, read_curve, spin_curve, write_curve
+from plategait.curve.curve import Curve
+from plategait.curve.curve_file import COLUMNS, read_curve, write_curve
+from plategait.curve.spin_curve import fit_curve, spin_curve
 from plategait.errors import InputError
 from plategait.files.ranges import parse_frequencies
 from plategait.model.presets import preset

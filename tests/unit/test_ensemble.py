@@ -11,7 +11,7 @@ import pytest
 from plategait.campaign.figures import plot_campaign
 from plategait.campaign.opened import open_sweep
 from plategait.campaign.run import sweep
-from plategait.curve.curve import spin_curve
+from plategait.curve.spin_curve import spin_curve
 from plategait.model.presets import preset
 from plategait.simulation.ensemble import Ensemble, fails, mean_of_unfailed, together
 from plategait.simulation.observables import student_95
@@ -106,7 +106,7 @@ FREQUENCIES = (14.0, 18.0)
 def half_failing() -> float:
     """Limit of slip that two of four starts keep at the first frequency, m."""
     result = simulate(SCENARIO.replace(**{"motion.frequency": FREQUENCIES[0]}), repeats=STARTS, seed=3)
-    drifts = sorted(o.drift for o in result.observations)
+    drifts = sorted(o["drift"] for o in result.observations)
     return 0.5 * (drifts[1] + drifts[2])
 
 

@@ -10,10 +10,11 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from plategait.curve.curve import Curve, fit_curve
+from plategait.curve.curve import Curve
 from plategait.curve.lorentz import LorentzFit, fit_lorentzian, lorentzian
 from plategait.curve.peak import unseen_peak, unseen_top
 from plategait.curve.quick_lorentz import fit_shape
+from plategait.curve.spin_curve import fit_curve
 from plategait.errors import InputError
 from plategait.plots.figures import plot_curve
 

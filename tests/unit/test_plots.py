@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from plategait.curve.curve import Curve, fit_curve
+from plategait.curve.curve import Curve
 from plategait.curve.lorentz import lorentzian
+from plategait.curve.spin_curve import fit_curve
 from plategait.errors import InputError
 from plategait.files.output import PICTURES
 from plategait.model.presets import preset

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from plategait.curve.curve import spin_curve
+from plategait.curve.spin_curve import spin_curve
 from plategait.errors import InputError
 from plategait.model.outline import Disk, Mask
 from plategait.model.presets import preset

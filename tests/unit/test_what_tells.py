@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 import plategait as pg
-from plategait.curve.curve import Curve, as_curve, fit_curve, write_curve
+from plategait.curve.curve import Curve
+from plategait.curve.curve_file import as_curve, write_curve
+from plategait.curve.spin_curve import fit_curve
 from plategait.errors import InputError
 from plategait.model.presets import as_scenario
 from plategait.model.scenario_file import write_scenario

@@ -15,6 +15,7 @@ from plategait.campaign.series import sample_count, snapshots, thinned
 from plategait.engine.channels import SERIES
 from plategait.engine.engines import engine
 from plategait.errors import InputError
+from plategait.simulation.registry import all_observables
 from plategait.simulation.result import Simulation
 from plategait.simulation.run import simulate_all, starts
 
@@ -52,13 +53,6 @@ SUMMARY = (
     Variable("gait", "string", "sliding, walking or running; empty where nothing was measured"),
     Variable("failure", "string", "how the run failed; empty where it did not"),
     Variable("failure_time", "float64", "when it failed", "s"),
-    Variable("drift", "float64", "furthest slip of the centre", "m"),
-    Variable("contact_fraction", "float64", "mean share of the nodes that touch", "1"),
-    Variable("flight_fraction", "float64", "share of the time in which nothing touches", "1"),
-    Variable("bending_amplitude", "float64", "largest rms angle of the bending joints", "rad"),
-    Variable("plate_power", "float64", "mean power of the plate", "W"),
-    Variable("energy_residual", "float64", "energy unaccounted for at the end over the energy given", "1"),
-    Variable("energy_imbalance", "float64", "furthest that the energy was out of balance, over the energy given", "1"),
     Variable("energy_closed", "bool", "whether the energy balances within the tolerance"),
     Variable("dt", "float64", "time step", "s"),
     Variable("steps", "int64", "steps taken", "1"),
@@ -66,9 +60,9 @@ SUMMARY = (
 STATUS = Variable("status", "int8", "1 where the point has been run", by_run=False)
 
 
-def array_names(sweep: Sweep) -> list[str]:
+def array_names(sweep: Sweep, observables: Sequence[str]) -> list[str]:
     """Arrays of a sweep's store that are filled batch by batch, coordinates included."""
-    names = [*(p.name for p in sweep.parameters), *(v.name for v in SUMMARY), STATUS.name]
+    names = [*(p.name for p in sweep.parameters), *(v.name for v in SUMMARY), *observables, STATUS.name]
     names += [f"series_{channel}" for channel in sweep.record.channels]
     return names + (["snapshot_time", "position"] if sweep.record.snapshots is not None else [])
 
@@ -85,6 +79,7 @@ def variables(sweep: Sweep, points: Sequence[Point]) -> tuple[Variable, ...]:
     record, duration = sweep.record, max(s.duration for s in scenarios)
     real = engine(sweep.engine).precision
     found = list(SUMMARY)
+    found += [Variable(o.name, "float64", o.long_name, o.unit) for o in all_observables().values()]
     samples = {"time": sample_count(duration, record.interval)}
     series = [SERIES[name] for name in record.channels]
     found += [Variable(f"series_{c.name}", real, c.long_name, c.unit, inner=samples) for c in series]
@@ -156,13 +151,7 @@ def _summary(run: Simulation) -> dict[str, float | bool | str | int]:
         "gait": o.gait,
         "failure": o.failure.kind if o.failure else "",
         "failure_time": o.failure.time if o.failure else math.nan,
-        "drift": o.drift,
-        "contact_fraction": o.contact_fraction,
-        "flight_fraction": o.flight_fraction,
-        "bending_amplitude": o.bending_amplitude,
-        "plate_power": o.plate_power,
-        "energy_residual": o.energy.relative_residual,
-        "energy_imbalance": o.energy.imbalance,
+        **o.values,
         "energy_closed": o.energy.closes,
         "dt": recording.dt,
         "steps": recording.steps,

@@ -11,12 +11,14 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.campaign.opened import Campaign
 from plategait.campaign.refine import curves
 from plategait.errors import InputError
 from plategait.model.parameters import Parameter
-from plategait.plots.style import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, mark
+from plategait.plots.style import BLUE, GREEN, GREY, MARKERS, ORANGE, PARTLY_FAILED, RED, label_axes, mark, new_figure
 from plategait.simulation.ensemble import Ensemble
+from plategait.simulation.registry import all_observables
 from plategait.units import parse
 
 if TYPE_CHECKING:
@@ -24,8 +26,8 @@ if TYPE_CHECKING:
 
 # Curves that can be told apart in one picture; more make a map.
 MOST_CURVES = 6
+SPIN_RATE = "spin_rate"
 _COLOURS = (BLUE, ORANGE, GREEN, RED, "#56B4E9", "#CC79A7")
-_RATE = "spin rate $\\omega_B$ (deg/s)"
 _NAMES = {
     "motion.frequency": "plate frequency $f_p$",
     "motion.angle": "angular amplitude $A_p$",
@@ -34,6 +36,16 @@ _NAMES = {
     "friction_angle": "friction angle $\\alpha$",
     "friction_ratio": "friction ratio $\\mu_k/\\mu_s$",
 }
+
+
+@dataclass(frozen=True, eq=False)
+class _Drawn:
+    """What is drawn over what was swept, and what the runs of each point show together."""
+
+    value: Array
+    spread: Array
+    label: str
+    points: Ensemble
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,42 +65,60 @@ class _Column:
         return len(set(self.values.tolist()))
 
 
-def plot_campaign(campaign: Campaign) -> Figure:
-    """Spin rate over what was swept: a curve, a family of curves, a map with contour lines, or one panel for each.
+def plot_campaign(campaign: Campaign, show: str = SPIN_RATE) -> Figure:
+    """Draw the spin rate, or another observable, over what was swept.
+
+    That is a curve, a family of curves, a map with contour lines, or one panel for each parameter.
 
     Gaits are squares (sliding), triangles (walking) and circles (running), as in Figs. 4.4 and 4.7, half-filled where
     some runs of a point failed; failed points are crosses.
 
+    Parameters
+    ----------
+    show : str
+        Observable by its name (`plategait.simulation.registry`); the spin rate by default.
+
     Raises
     ------
     InputError
-        When no point has been run, or only words were swept.
+        When no point has been run, only words were swept, or the store has no such observable.
     """
     if not campaign.done.any():
         raise InputError(
             "store", f"{campaign.path} without a point that has been run", "one with points", "plategait sweep"
         )
-    shown = campaign.outcomes
+    drawn = _drawn(campaign, show)
     columns = [_column(campaign, p) for p in campaign.plan.parameters]
     numbers = [c for c in columns if c.parameter.quantity is not None]
     if not numbers:
         raise InputError("store", "a sweep of words", "a sweep of a number", '[grid] "motion.frequency" = "12:30:1 Hz"')
     if len(columns) == 1:
-        figure = _figure(6.4, 4.2)
-        _draw_curve(figure.add_subplot(), numbers[0].values, shown, range(len(shown.rate)), "black", "")
-        _finish(figure.axes[0], numbers[0].label, campaign)
+        figure = new_figure(6.4, 4.2)
+        _draw_curve(figure.add_subplot(), numbers[0].values, drawn, range(len(drawn.value)), "black", "")
+        _finish(figure.axes[0], numbers[0].label, campaign, drawn)
         return figure
     if len(columns) == 2 and not campaign.plan.sample:
         along, across = _order(numbers, columns)
         if across.different <= MOST_CURVES:
-            return _family(campaign, shown, along, across)
+            return _family(campaign, drawn, along, across)
     if len(columns) == len(numbers) == 2 and min(c.different for c in columns) > 1:
-        return _map(campaign, shown, numbers[0], numbers[1])
-    return _panels(campaign, shown, numbers)
+        return _map(campaign, drawn, numbers[0], numbers[1])
+    return _panels(campaign, drawn, numbers)
 
 
-def _figure(width: float, height: float) -> Figure:
-    return Figure(figsize=(width, height), layout="constrained")
+def _drawn(campaign: Campaign, show: str) -> _Drawn:
+    points = campaign.outcomes
+    if show == SPIN_RATE:
+        label = "spin rate $\\omega_B$ (deg/s)"
+        return _Drawn(np.degrees(points.rate), np.degrees(points.spread), label, points)
+    value, spread = campaign.observable(show)
+    observable = all_observables().get(show)
+    if observable is None:  # of a package that is not installed here
+        attributes = campaign.data[show].attrs
+        return _Drawn(value, spread, f"{attributes['long_name']} ({attributes.get('units', '1')})", points)
+    unit = "" if observable.read_in in ("1", "") else f" ({observable.read_in})"
+    scale = 100.0 if observable.read_in == "%" else observable.scale
+    return _Drawn(scale * value, scale * spread, (observable.label or observable.long_name) + unit, points)
 
 
 def _column(campaign: Campaign, parameter: Parameter) -> _Column:
@@ -105,42 +135,41 @@ def _order(numbers: Sequence[_Column], columns: Sequence[_Column]) -> tuple[_Col
     return along, next(c for c in columns if c is not along)
 
 
-def _draw_curve(axes: Axes, x: NDArray, shown: Ensemble, members: Sequence[int], colour: str, label: str) -> None:
-    order = [i for i in sorted(members, key=lambda i: float(x[i]))]
-    good = np.array([i for i in order if not shown.failed[i] and math.isfinite(shown.rate[i])], dtype=int)
-    rate, spread = np.degrees(shown.rate), np.degrees(np.nan_to_num(shown.spread))
-    axes.errorbar(x[good], rate[good], spread[good], color=colour, lw=1.0, elinewidth=0.8, label=label or None)
-    _draw_marks(axes, x, rate, shown, order, size=6.5, colour=colour if label else "")
+def _draw_curve(axes: Axes, x: NDArray, drawn: _Drawn, members: Sequence[int], colour: str, label: str) -> None:
+    order = sorted(members, key=lambda i: float(x[i]))
+    sound = np.array([i for i in order if not drawn.points.failed[i] and math.isfinite(drawn.value[i])], dtype=int)
+    spread = np.nan_to_num(drawn.spread[sound])
+    axes.errorbar(x[sound], drawn.value[sound], spread, color=colour, lw=1.0, elinewidth=0.8, label=label or None)
+    _draw_marks(axes, x, drawn.value, drawn.points, order, size=6.5, colour=colour if label else "")
 
 
-def _draw_marks(axes: Axes, x: NDArray, y: NDArray, shown: Ensemble, members: Sequence[int], size: float,
+def _draw_marks(axes: Axes, x: NDArray, y: NDArray, points: Ensemble, members: Sequence[int], size: float,
                 colour: str = "") -> None:  # fmt: skip
     """Mark points by gait, half-filled where some runs failed, and with a cross where the point failed.
 
     The cross lies at 0 where y has no number. `colour` takes the place of each gait's own.
     """
-    there = np.zeros(len(x), dtype=bool)
-    there[list(members)] = True
+    member = np.zeros(len(x), dtype=bool)
+    member[list(members)] = True
     # A failed point has a mark as well where some of its runs went on.
-    marked = there & np.isfinite(shown.rate)
+    marked = member & np.isfinite(points.rate)
     for gait, (marker, own) in MARKERS.items():
         for in_part in (False, True):
-            here = marked & np.array([g == gait for g in shown.gait]) & (shown.partly_failed == in_part)
-            if here.any():
-                axes.plot(x[here], y[here], marker, ms=size, mew=0.22 * size, zorder=3, **mark(colour or own, in_part))
-    failed = there & shown.failed
+            chosen = marked & np.array([g == gait for g in points.gait]) & (points.partly_failed == in_part)
+            if chosen.any():
+                style = mark(colour or own, in_part)
+                axes.plot(x[chosen], y[chosen], marker, ms=size, mew=0.22 * size, zorder=3, **style)
+    failed = member & points.failed
     if failed.any():
         heights = np.where(np.isfinite(y), y, 0.0)[failed]
         # Wider than a mark that it may lie on.
         axes.plot(x[failed], heights, "x", color=colour or GREY, ms=1.5 * size, mew=0.2 * size, zorder=4, clip_on=False)
 
 
-def _finish(axes: Axes, x_label: str, campaign: Campaign, *, handles: Sequence[Any] = ()) -> None:
-    axes.set_xlabel(x_label)
-    axes.set_ylabel(_RATE)
-    axes.spines[["top", "right"]].set_visible(False)
+def _finish(axes: Axes, x_label: str, campaign: Campaign, drawn: _Drawn, *, handles: Sequence[Any] = ()) -> None:
+    label_axes(axes, x_label, drawn.label)
     axes.set_title(_title(campaign), loc="left", fontsize=11)
-    axes.legend(handles=[*handles, *_gait_handles(campaign.outcomes)], frameon=False, fontsize=8.5)
+    axes.legend(handles=[*handles, *_gait_handles(drawn.points)], frameon=False, fontsize=8.5)
 
 
 def _title(campaign: Campaign) -> str:
@@ -148,54 +177,52 @@ def _title(campaign: Campaign) -> str:
     return campaign.plan.name + (f" ({left} points not yet run)" if left else "")
 
 
-def _gait_handles(shown: Ensemble) -> list[Any]:
+def _gait_handles(points: Ensemble) -> list[Any]:
     """Legend of the marks that are there."""
     from matplotlib.lines import Line2D
 
-    gaits = {g for g, rate in zip(shown.gait, shown.rate, strict=True) if math.isfinite(rate)}
+    gaits = {g for g, rate in zip(points.gait, points.rate, strict=True) if math.isfinite(rate)}
     marks = [
         (gait or "gait unknown", marker, mark(colour)) for gait, (marker, colour) in MARKERS.items() if gait in gaits
     ]
-    if shown.failed.any():
+    if points.failed.any():
         marks.append(("failed", "x", mark(GREY)))
-    if shown.partly_failed.any():
+    if points.partly_failed.any():
         marks.append((PARTLY_FAILED, "s", mark(GREY, True)))
     return [
         Line2D([], [], ls="", marker=marker, ms=6.5, mew=1.4, label=label, **style) for label, marker, style in marks
     ]
 
 
-def _family(campaign: Campaign, shown: Ensemble, along: _Column, across: _Column) -> Figure:
+def _family(campaign: Campaign, drawn: _Drawn, along: _Column, across: _Column) -> Figure:
     from matplotlib.lines import Line2D
 
-    figure = _figure(6.8, 4.4)
+    figure = new_figure(6.8, 4.4)
     axes, handles = figure.add_subplot(), []
     for colour, (key, members) in zip(_COLOURS, curves(campaign.points, along.parameter.name).items(), strict=False):
-        label = across.parameter.shown(key[0])  # type: ignore[arg-type]
-        _draw_curve(axes, along.values, shown, members, colour, label)
+        label = across.parameter.text_of(key[0])  # type: ignore[arg-type]
+        _draw_curve(axes, along.values, drawn, members, colour, label)
         handles.append(Line2D([], [], color=colour, lw=1.5, label=label))
     handles.insert(0, Line2D([], [], ls="", label=f"{across.label.split(' (')[0]}:"))
-    _finish(axes, along.label, campaign, handles=handles)
+    _finish(axes, along.label, campaign, drawn, handles=handles)
     return figure
 
 
-def _map(campaign: Campaign, shown: Ensemble, x: _Column, y: _Column) -> Figure:
-    figure = _figure(6.8, 5.0)
+def _map(campaign: Campaign, drawn: _Drawn, x: _Column, y: _Column) -> Figure:
+    figure = new_figure(6.8, 5.0)
     axes = figure.add_subplot()
-    good = ~shown.failed & np.isfinite(shown.rate)
-    rate = np.degrees(shown.rate)
-    if good.sum() >= 4 and np.ptp(rate[good]) > 0 and _spread_out(x.values[good], y.values[good]):
-        filled = axes.tricontourf(x.values[good], y.values[good], rate[good], levels=12, cmap="viridis", alpha=0.85)
-        lines = axes.tricontour(
-            x.values[good], y.values[good], rate[good], levels=list(filled.levels)[::2], colors="white", linewidths=0.8
-        )
+    sound = ~drawn.points.failed & np.isfinite(drawn.value)
+    along, across, value = x.values[sound], y.values[sound], drawn.value[sound]
+    if sound.sum() >= 4 and np.ptp(value) > 0 and _spread_out(along, across):
+        filled = axes.tricontourf(along, across, value, levels=12, cmap="viridis", alpha=0.85)
+        lines = axes.tricontour(along, across, value, levels=list(filled.levels)[::2], colors="white", linewidths=0.8)
         axes.clabel(lines, fontsize=7.5, fmt="%g")
-        figure.colorbar(filled, ax=axes, label=_RATE)
-    _draw_marks(axes, x.values, y.values, shown, range(len(rate)), size=5)
-    _finish(axes, x.label, campaign)
+        figure.colorbar(filled, ax=axes, label=drawn.label)
+    _draw_marks(axes, x.values, y.values, drawn.points, range(len(drawn.value)), size=5)
+    _finish(axes, x.label, campaign, drawn)
     axes.set_ylabel(y.label)
-    axes.legend(handles=_gait_handles(shown), frameon=False, fontsize=8.5, loc="upper left", bbox_to_anchor=(0, -0.12),
-                ncols=4)  # fmt: skip
+    below = {"loc": "upper left", "bbox_to_anchor": (0, -0.12), "ncols": 4}
+    axes.legend(handles=_gait_handles(drawn.points), frameon=False, fontsize=8.5, **below)
     return figure
 
 
@@ -205,15 +232,14 @@ def _spread_out(x: NDArray, y: NDArray) -> bool:
     return bool(np.linalg.matrix_rank(offsets, tol=1e-6) == 2)
 
 
-def _panels(campaign: Campaign, shown: Ensemble, numbers: Sequence[_Column]) -> Figure:
-    figure = _figure(max(6.4, 3.4 * len(numbers)), 3.8)
+def _panels(campaign: Campaign, drawn: _Drawn, numbers: Sequence[_Column]) -> Figure:
+    figure = new_figure(max(6.4, 3.4 * len(numbers)), 3.8)
     panels: Any = figure.subplots(1, len(numbers), sharey=True, squeeze=False)[0]
-    rate = np.degrees(shown.rate)
     for axes, column in zip(panels, numbers, strict=True):
-        _draw_marks(axes, column.values, rate, shown, range(len(rate)), size=5)
+        _draw_marks(axes, column.values, drawn.value, drawn.points, range(len(drawn.value)), size=5)
         axes.set_xlabel(column.label)
         axes.spines[["top", "right"]].set_visible(False)
-    panels[0].set_ylabel(_RATE)
+    panels[0].set_ylabel(drawn.label)
     panels[0].set_title(_title(campaign), loc="left", fontsize=11)
-    panels[-1].legend(handles=_gait_handles(shown), frameon=False, fontsize=8.5)
+    panels[-1].legend(handles=_gait_handles(drawn.points), frameon=False, fontsize=8.5)
     return figure

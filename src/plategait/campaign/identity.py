@@ -12,11 +12,13 @@ from plategait.campaign.points import Point
 from plategait.campaign.seal import hash_of
 from plategait.engine import cpu
 from plategait.errors import InputError
+from plategait.simulation.registry import all_observables
 from plategait.version import __version__
 
-FORMAT = 2
+FORMAT = 3
 # What decides the bits of a store: who made it, and of what.
-_PARTS = ("plategait_version", "store_format", "instruction_set", "machine", "engine", "sweep_hash", "points_hash")
+_PARTS = ("plategait_version", "store_format", "instruction_set", "machine", "engine", "observables", "sweep_hash",
+          "points_hash")  # fmt: skip
 
 
 def maker() -> dict[str, Any]:
@@ -35,6 +37,7 @@ def identity(sweep: Sweep, points: Sequence[Point]) -> dict[str, Any]:
     # The nodes too: an outline may come from a picture that has changed.
     content = [points, hashlib.sha256(sweep.scenario.sheet.lattice.key).hexdigest()]
     parts = maker() | {"engine": sweep.engine, "sweep": text, "points_hash": hash_of(content)}
+    parts["observables"] = list(all_observables())
     parts["sweep_hash"] = hash_of(text)
     return parts | {"fingerprint": fingerprint_of(parts)}
 

@@ -30,7 +30,7 @@ def plan_of(path: Path, root: dict[str, Any]) -> Sweep:
     try:
         plan = sweep_of_json(root["attributes"]["sweep"])
         metadata = root["consolidated_metadata"]["metadata"]
-        wrong = _wrong_attribute(root["attributes"], plan) or _wrong_array(metadata, plan, root["attributes"]["batch"])
+        wrong = _wrong_attribute(root["attributes"], plan) or _wrong_array(metadata, plan, root["attributes"])
         wrong = wrong or next((f"{n}, which is no folder in it" for n in metadata if _is_elsewhere(path / n)), "")
         if not wrong:
             return plan
@@ -62,12 +62,12 @@ def _wrong_attribute(attributes: dict[str, Any], plan: Sweep) -> str:
     return ""
 
 
-def _wrong_array(metadata: dict[str, Any], plan: Sweep, batch: int) -> str:
-    expected = {*array_names(plan), CHECKSUM, *(["time"] if plan.record.channels else [])}
+def _wrong_array(metadata: dict[str, Any], plan: Sweep, attributes: dict[str, Any]) -> str:
+    expected = {*array_names(plan, attributes["observables"]), CHECKSUM, *(["time"] if plan.record.channels else [])}
     if different := expected ^ set(metadata):
         return f"{min(different)} missing or not expected among its arrays"
     n_points = metadata[STATUS.name]["shape"][0]
-    lengths = {"point": n_points, "batch": math.ceil(n_points / batch)}
+    lengths = {"point": n_points, "batch": math.ceil(n_points / attributes["batch"])}
     if not all(type(n) is int and n > 0 for array in metadata.values() for n in array["shape"]):
         return "an array of no size"
     for name, array in metadata.items():

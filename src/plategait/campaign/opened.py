@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,11 +12,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from plategait.arrays import Array
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point, base_points
 from plategait.campaign.store import Store, check_path
 from plategait.errors import InputError
-from plategait.simulation.ensemble import TAKEN, Ensemble, together
+from plategait.simulation.ensemble import TAKEN, Ensemble, mean_of_unfailed, together
+from plategait.simulation.registry import all_observables
 
 if TYPE_CHECKING:
     import xarray
@@ -74,6 +77,25 @@ class Campaign:
     def outcomes(self) -> Ensemble:
         """Rate, gait and failure of each point of `data`, over its repeats."""
         return together(**{name: self.data[name].values for name in TAKEN})
+
+    def observable(self, name: str) -> tuple[Array, Array]:
+        """(n,) values and standard deviations of an observable at each point of `data`, over its repeats, SI.
+
+        Raises
+        ------
+        InputError
+            For a name that the store has no observable of.
+        """
+        names = self.attributes["observables"]
+        if name not in names:
+            close = difflib.get_close_matches(name, names, n=1, cutoff=0) or names
+            raise InputError("observable", name, f"one of {', '.join(names)}", close[0])
+        values, failed = self.data[name].values, self.data["failure"].values.astype(object) != ""
+        taken_by = all_observables().get(name)
+        mean = taken_by.over(values, failed) if taken_by else mean_of_unfailed(values, failed)
+        squares = mean_of_unfailed((values - mean_of_unfailed(values, failed)[:, None]) ** 2, failed)
+        runs = (np.isfinite(values) & ~failed).sum(axis=1)
+        return mean, np.sqrt(squares * runs / np.maximum(runs - 1, 1))
 
     def as_grid(self) -> xarray.Dataset:
         """Points of a grid with one dimension for each parameter, without those that refine it.

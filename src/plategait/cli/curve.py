@@ -38,7 +38,8 @@ def curve(
     as_json: options.Json = False,
 ) -> None:
     """Spin rate over a range of plate frequencies, with gaits, failures and the Lorentz fit."""
-    from plategait.curve.curve import spin_curve, write_curve
+    from plategait.curve.curve_file import write_curve
+    from plategait.curve.spin_curve import spin_curve
     from plategait.files.ranges import parse_frequencies
 
     check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
@@ -64,7 +65,9 @@ def fit(
     as_json: options.Json = False,
 ) -> None:
     """Fit the Lorentz function (5.5) to a spin curve; failed points are left out."""
-    from plategait.curve.curve import fit_curve, fit_summary, read_curve
+    from plategait.curve.curve import fit_summary
+    from plategait.curve.curve_file import read_curve
+    from plategait.curve.spin_curve import fit_curve
 
     check_outputs((plot, PICTURES, "--plot"))
     result = fit_curve(read_curve(curve_file))

@@ -88,7 +88,7 @@ def estimate(
     as_json: options.Json = False,
 ) -> None:
     """Read stiffness and friction off measured spin curves, with intervals."""
-    from plategait.curve.curve import read_curve
+    from plategait.curve.curve_file import read_curve
 
     check_outputs((out, (".toml",), "--out"), (plot, PICTURES, "--plot"))
     _refuse_idle(context, method)
@@ -192,7 +192,7 @@ def _linear(
     as_json: bool,
 ) -> None:
     """The source's method on one curve."""
-    from plategait.curve.curve import fit_curve
+    from plategait.curve.spin_curve import fit_curve
     from plategait.estimate.linear import estimate_linear
     from plategait.model.fragment import write_fragment
 

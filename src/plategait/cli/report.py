@@ -16,6 +16,7 @@ from plategait.curve.lorentz import LorentzFit
 from plategait.errors import printable
 from plategait.model.modes import Modes
 from plategait.simulation.energy import LEDGER_TOLERANCE
+from plategait.simulation.registry import Observable, all_observables
 from plategait.simulation.result import Simulation
 
 # Work shorter than this shows no progress bar, s.
@@ -54,8 +55,11 @@ def _interval(low: float | None, high: float | None, unit: str) -> str:
     return "–" if low is None or high is None else f"{_number(low)} to {_number(high, unit)}"
 
 
-def _percent(share: float | None) -> str:
-    return _number(None if share is None else 100 * share, "%")
+def _observable(observable: Observable, value: float | None) -> str:
+    """Value of an observable as JSON has it, in the unit that people read."""
+    if value is not None and observable.read_in == "%":
+        value *= 100
+    return _number(value, observable.read_in.removeprefix("1"))
 
 
 def print_simulation(simulation: Simulation, drawn: dict[str, Any] | None = None) -> None:
@@ -71,11 +75,7 @@ def print_simulation(simulation: Simulation, drawn: dict[str, Any] | None = None
         ["settled", "yes" if s["settled"] else "no"],
         ["gait", s["gait"] or "–"],
         ["failure", _failures(simulation)],
-        ["drift of the centre", _number(s["drift_mm"], "mm")],
-        ["nodes in contact", _percent(s["contact_fraction"])],
-        ["time in flight", _percent(s["flight_fraction"])],
-        ["bending amplitude", _number(s["bending_amplitude_deg"], "deg per joint")],
-        ["plate power", _number(s["plate_power_mw"], "mW")],
+        *([o.label, _observable(o, s[o.key])] for o in all_observables().values() if o.label),
         ["energy unaccounted for", _energy(simulation)],
         ["time step", f"{s['dt_s']:.3g} s, {s['steps']} steps"],
         ["speed", _number(s["simulated_s_per_wall_s"], "simulated seconds per second")],

@@ -54,6 +54,9 @@ def plot_store(
     out: Annotated[
         Path | None, typer.Option("--out", help="Picture: .png, .pdf or .svg. Beside the store if left out.")
     ] = None,
+    show: Annotated[
+        str, typer.Option("--show", help="What to draw: spin_rate, drift, bending_amplitude, or another observable.")
+    ] = "spin_rate",
     as_json: options.Json = False,
 ) -> None:
     """Draw a campaign: curves over one swept parameter, families of curves or a map over two."""
@@ -64,7 +67,7 @@ def plot_store(
     from plategait.campaign.figures import plot_campaign
     from plategait.plots.style import save
 
-    save(plot_campaign(opened), picture)
+    save(plot_campaign(opened, show), picture)
     report.print_json({"plot": str(picture)}) if as_json else print(picture)
 
 
@@ -93,6 +96,6 @@ def _print(campaign: Campaign) -> None:
     if "fastest" in s:
         from plategait.units import show
 
-        where = ", ".join(f"{p.name} {p.shown(s['fastest']['at'][p.name])}" for p in campaign.plan.parameters)
+        where = ", ".join(f"{p.name} {p.text_of(s['fastest']['at'][p.name])}" for p in campaign.plan.parameters)
         rows.append(["fastest spin", f"{show(round(s['fastest']['spin_rate_rad_s'], 4), 'rad/s', 'deg/s')} at {where}"])
     report.print_table(f"{s['title']}: {s['store']}", ["", ""], rows)

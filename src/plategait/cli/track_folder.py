@@ -36,7 +36,7 @@ def track_folder(
     """Spin curve of a folder of clips, all filmed alike."""
     check_outputs((out, (".csv",), "--out"))
     filmed.require_opencv()
-    from plategait.curve.curve import write_curve
+    from plategait.curve.curve_file import write_curve
     from plategait.vision import folder as clips_of
 
     setup = filmed.filmed_as(

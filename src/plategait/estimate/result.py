@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.curve.curve import Curve, as_curve
+from plategait.curve.curve import Curve
+from plategait.curve.curve_file import as_curve
 from plategait.errors import InputError
 from plategait.estimate.judgement import CONFIDENCE, Finding, FitCheck, check_fit, judge
 from plategait.estimate.observations import observe_curves

@@ -13,8 +13,8 @@ import numpy as np
 
 from plategait import published
 from plategait.arrays import Array
-from plategait.curve.curve import spin_curve
 from plategait.curve.protocol import measured_as
+from plategait.curve.spin_curve import spin_curve
 from plategait.model.presets import preset
 
 FREQUENCIES = {3: np.arange(13.0, 31.5, 1.0).tolist(), 12: np.arange(9.0, 16.0, 0.5).tolist()}

@@ -67,7 +67,7 @@ class Parameter:
             raise InputError(self.name, value, "a word", self.example)
         return value
 
-    def shown(self, value: Value) -> str:
+    def text_of(self, value: Value) -> str:
         """Text with the unit that people write."""
         if self.quantity is None or isinstance(value, str):
             return str(value)

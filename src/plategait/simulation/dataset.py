@@ -17,6 +17,7 @@ from plategait.errors import InputError
 from plategait.files.output import check_writable, write_whole
 from plategait.memory import available_memory, in_words
 from plategait.model.scenario_file import write_scenario
+from plategait.simulation.registry import all_observables
 from plategait.version import __version__
 
 if TYPE_CHECKING:
@@ -68,12 +69,16 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
         coordinates["axis"] = ["x", "y", "z"]
     for name, values, unit in (
         ("spin_rate", [o.spin.rate for o in simulation.observations], "rad/s"),
-        ("drift", [o.drift for o in simulation.observations], "m"),
         ("failure_time", [o.failure.time if o.failure else np.nan for o in simulation.observations], "s"),
-        ("energy_residual", [o.energy.relative_residual for o in simulation.observations], "1"),
-        ("energy_imbalance", [o.energy.imbalance for o in simulation.observations], "1"),
     ):
         variables[name] = (("run",), np.array(values), {"units": unit})
+    for observable in all_observables().values():
+        values = np.array([o.values.get(observable.name, np.nan) for o in simulation.observations])
+        variables[observable.name] = (
+            ("run",),
+            values,
+            {"long_name": observable.long_name, "units": observable.unit},
+        )
     variables["gait"] = (("run",), np.array([o.gait for o in simulation.observations]))
     variables["failure"] = (("run",), np.array([o.failure.kind if o.failure else "" for o in simulation.observations]))
     variables["energy_closed"] = (("run",), np.array([o.energy.closes for o in simulation.observations]))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,21 +14,33 @@ from plategait.simulation import observables
 from plategait.simulation.energy import EnergyLedger, energy_ledger, least_energy
 from plategait.simulation.ensemble import Ensemble, together
 from plategait.simulation.observables import Failure, SpinRate
+from plategait.simulation.registry import Window, measure_all
 
 
 @dataclass(frozen=True)
 class Observation:
-    """What one run shows. SI; NaN where a failure left nothing to measure."""
+    """What one run shows. SI; NaN where a failure left nothing to measure.
+
+    Attributes
+    ----------
+    spin : SpinRate
+    gait : str
+        Empty where nothing was measured.
+    failure : Failure or None
+    energy : EnergyLedger
+    values : mapping of str to float
+        Every observable by its name (`plategait.simulation.registry`).
+    """
 
     spin: SpinRate
     gait: str
     failure: Failure | None
-    drift: float
-    contact_fraction: float
-    flight_fraction: float
-    bending_amplitude: float
-    plate_power: float
     energy: EnergyLedger
+    values: Mapping[str, float]
+
+    def __getitem__(self, name: str) -> float:
+        """Observable by its name: ``observation["drift"]``."""
+        return self.values[name]
 
 
 def observe(scenario: Scenario, recording: Recording) -> Observation:
@@ -39,31 +51,16 @@ def observe(scenario: Scenario, recording: Recording) -> Observation:
     times, start = channels["time"], scenario.measured_from
     end = float(times[-1]) if failure is None else failure.sound_until
     angle = observables.rotation(channels["spin_cross"], channels["spin_dot"])
-    whole = max(0, math.floor((end - start) / period + 1e-6))
-    start_whole = end - whole * period
-
-    def means(name: str) -> np.ndarray:
-        return observables.period_means(times, channels[name], period, start_whole, end)
-
-    def mean(name: str) -> float:
-        values = means(name)
-        return float(values.mean()) if len(values) else math.nan
-
-    within = (times > start_whole) & (times <= end)
-    bends = channels["bend_rms"][within]
-    slipped = observables.slip(times, channels["centre_x"], channels["centre_y"], period)
-    averaged = (times <= times[-1] - period / 2) | (times[-1] < period)
-    finite = slipped[np.isfinite(slipped) & averaged]
+    whole_periods = max(0, math.floor((end - start) / period + 1e-6))
+    energy = energy_ledger(channels, _least_energy(scenario))
+    window = Window(scenario, channels, end - whole_periods * period, end, energy)
+    legs = [window.period_means(name) for name in ("left_contact", "right_contact", "flight")]
     return Observation(
         spin=observables.spin_rate(times, angle, period, start, end),
-        gait=observables.gait(means("left_contact"), means("right_contact"), means("flight")),
+        gait=observables.gait(*legs),
         failure=failure,
-        drift=float(finite.max()) if len(finite) else math.nan,
-        contact_fraction=mean("contact"),
-        flight_fraction=mean("flight"),
-        bending_amplitude=float(bends.max()) if len(bends) else math.nan,
-        plate_power=float(channels["plate_work"][within].sum()) / (end - start_whole) if whole else math.nan,
-        energy=energy_ledger(channels, _least_energy(scenario)),
+        energy=energy,
+        values=measure_all(window),
     )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -11,9 +10,10 @@ from typing import Any
 from plategait.engine.recording import Recording
 from plategait.files.plain import plain
 from plategait.model.scenario import Scenario
-from plategait.simulation.ensemble import Ensemble, mean_of_unfailed
+from plategait.simulation.ensemble import Ensemble
 from plategait.simulation.observables import Failure
 from plategait.simulation.observation import Observation, ensemble_of
+from plategait.simulation.registry import all_observables, find_observable
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,14 +109,16 @@ class Simulation:
         """Whether no run failed and every run's energy balances."""
         return not self.failed_runs and not self.open_ledgers
 
-    def _mean(self, of: Callable[[Observation], float]) -> float:
-        """Mean of a number over the runs that did not fail."""
-        failed = [o.failure is not None for o in self.observations]
-        return float(mean_of_unfailed([of(o) for o in self.observations], failed))
+    def value(self, name: str) -> float:
+        """Observable by its name, over the runs as it is to be taken, SI; NaN where there is none.
 
-    def _worst(self, of: Callable[[Observation], float]) -> float:
-        """Number of the run in which it is furthest from zero; NaN where a run has none."""
-        return max((of(o) for o in self.observations), key=lambda x: math.inf if math.isnan(x) else abs(x))
+        Raises
+        ------
+        InputError
+            For a name that no observable has.
+        """
+        values = [o.values.get(name, math.nan) for o in self.observations]
+        return float(find_observable(name).over(values, [o.failure is not None for o in self.observations]))
 
     @property
     def simulated(self) -> float:
@@ -139,13 +141,7 @@ class Simulation:
             "failure": failure.kind if failure else None,
             "failure_time_s": failure.time if failure else None,
             "failures": {kind: len(times) for kind, times in self.failures.items()},
-            "drift_mm": 1e3 * self._mean(lambda o: o.drift),
-            "contact_fraction": self._mean(lambda o: o.contact_fraction),
-            "flight_fraction": self._mean(lambda o: o.flight_fraction),
-            "bending_amplitude_deg": math.degrees(self._mean(lambda o: o.bending_amplitude)),
-            "plate_power_mw": 1e3 * self._mean(lambda o: o.plate_power),
-            "energy_residual": self._worst(lambda o: o.energy.relative_residual),
-            "energy_imbalance": self._worst(lambda o: o.energy.imbalance),
+            **{o.key: o.scale * self.value(o.name) for o in all_observables().values()},
             "energy_closed": not self.open_ledgers,
             "open_ledgers": self.open_ledgers,
             "runs": len(self.recordings),

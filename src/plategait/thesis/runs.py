@@ -10,8 +10,9 @@ from functools import cached_property
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.curve.curve import Curve, curve_of
+from plategait.curve.curve import Curve
 from plategait.curve.quick_lorentz import Shape, fit_shape
+from plategait.curve.spin_curve import curve_of
 from plategait.simulation.observation import Observation, observe
 from plategait.simulation.run import simulate_all
 from plategait.thesis.cases import FIT_FROM, Case, fitted_cases
