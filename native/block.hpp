@@ -158,13 +158,13 @@ struct Block {
   }
 
   void clear_tally(int q) {
-    for (R* sum : {&tally.left, &tally.right, &tally.none, &tally.nodes, &tally.joint_loss, &tally.contact_work,
-                   &tally.friction_loss, &tally.plate_work})
-      sum->v[q] = 0;
+    R* const sums[] = {&tally.left, &tally.right, &tally.none, &tally.nodes, &tally.joint_loss, &tally.contact_work,
+                       &tally.friction_loss, &tally.plate_work};
+    for (R* sum : sums) sum->v[q] = 0;
   }
 
   void run(Progress& progress) {
-    const FlushDenormals guard;
+    [[maybe_unused]] const FlushDenormals guard;
     while (any_running()) {
       const std::int64_t stop = next_stop();
       while (taken < stop) {

@@ -114,7 +114,8 @@ PLATEGAIT_HD Lanes<float, W, Level> reciprocal_sqrt(Lanes<float, W, Level> a) {
   using R = Lanes<float, W, Level>;
   R y;
 #if defined(__AVX512F__)
-  if constexpr (W == 16) y.v = (typename R::V)_mm512_rsqrt14_ps((__m512)a.v);
+  // Under a full mask, as gcc's plain form reads an undefined register and warns of it.
+  if constexpr (W == 16) y.v = (typename R::V)_mm512_maskz_rsqrt14_ps(__mmask16(-1), (__m512)a.v);
 #elif defined(__AVX__)
   if constexpr (W == 8) y.v = (typename R::V)_mm256_rsqrt_ps((__m256)a.v);
 #elif defined(__SSE__)
