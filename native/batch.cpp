@@ -55,7 +55,8 @@ std::vector<std::string> available_levels() {
 }
 
 template <class T>
-bool run_batch(const Batch<T>& batch, const std::string& level, int threads, const std::function<bool(std::int64_t)>& poll) {
+bool run_batch(const Batch<T>& batch, const std::string& level, int threads,
+               const std::function<bool(std::int64_t)>& poll) {
   const Core<T> core = core_of<T>(level);
   const std::int64_t n_blocks = (batch.n_runs + core.lanes - 1) / core.lanes;
   Progress progress;
@@ -100,6 +101,7 @@ bool run_batch(const Batch<T>& batch, const std::string& level, int threads, con
 }
 
 template bool run_batch<float>(const Batch<float>&, const std::string&, int, const std::function<bool(std::int64_t)>&);
-template bool run_batch<double>(const Batch<double>&, const std::string&, int, const std::function<bool(std::int64_t)>&);
+template bool run_batch<double>(const Batch<double>&, const std::string&, int,
+                                const std::function<bool(std::int64_t)>&);
 
 }  // namespace plategait
