@@ -1,7 +1,7 @@
 # make demo   set up .venv, run the main job, say where its pictures are
 # make test   set up .venv, run the tests
 # make test-kernels  run what leans on linear algebra with another kernel of OpenBLAS than the processor's own
-# make lint   ruff, pyright, import-linter
+# make lint   ruff, clang-format, pyright, import-linter
 # make bench  the speed report
 # make fuzz   thousands of random scenarios and commands: none may crash, hang or answer with nonsense
 # make sanitize   the engine's tests and random scenarios on a core that reports every wrong access
@@ -48,6 +48,7 @@ test-kernels: .venv/installed-test
 lint: .venv/installed-lint
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/clang-format --dry-run --Werror native/*
 	$(BIN)/pyright
 	$(BIN)/lint-imports
 

@@ -45,7 +45,8 @@ std::vector<std::string> available_levels() {
   std::vector<std::string> levels;
 #if defined(__x86_64__)
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512bw"))
     levels.push_back("avx512");
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) levels.push_back("avx2");
 #endif
@@ -54,7 +55,8 @@ std::vector<std::string> available_levels() {
 }
 
 template <class T>
-bool run_batch(const Batch<T>& batch, const std::string& level, int threads, const std::function<bool(std::int64_t)>& poll) {
+bool run_batch(const Batch<T>& batch, const std::string& level, int threads,
+               const std::function<bool(std::int64_t)>& poll) {
   const Core<T> core = core_of<T>(level);
   const std::int64_t n_blocks = (batch.n_runs + core.lanes - 1) / core.lanes;
   Progress progress;
@@ -99,6 +101,7 @@ bool run_batch(const Batch<T>& batch, const std::string& level, int threads, con
 }
 
 template bool run_batch<float>(const Batch<float>&, const std::string&, int, const std::function<bool(std::int64_t)>&);
-template bool run_batch<double>(const Batch<double>&, const std::string&, int, const std::function<bool(std::int64_t)>&);
+template bool run_batch<double>(const Batch<double>&, const std::string&, int,
+                                const std::function<bool(std::int64_t)>&);
 
 }  // namespace plategait

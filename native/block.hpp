@@ -17,7 +17,9 @@ namespace plategait {
 template <class R>
 struct Scratch {
   R* data;
-  explicit Scratch(std::size_t n) : data(static_cast<R*>(std::aligned_alloc(alignof(R) < 64 ? 64 : alignof(R), (n * sizeof(R) + 127) / 128 * 128 + 128))) {
+  explicit Scratch(std::size_t n)
+      : data(static_cast<R*>(
+            std::aligned_alloc(alignof(R) < 64 ? 64 : alignof(R), (n * sizeof(R) + 127) / 128 * 128 + 128))) {
     if (!data) throw std::bad_alloc();
     std::memset(static_cast<void*>(data), 0, n * sizeof(R));
   }
@@ -58,10 +60,18 @@ struct Block {
   bool running[W];
 
   Block(const Batch<T>& b, std::int64_t start)
-      : batch(b), first(start), used(static_cast<int>(b.n_runs - start < W ? b.n_runs - start : W)),
-        n_nodes(b.topology.n_nodes), nodes(9 * static_cast<std::size_t>(n_nodes)),
-        edge(b.topology.features.plate_edge ? 6 * static_cast<std::size_t>(n_nodes) : 0), terms(static_cast<std::size_t>(b.n_terms)),
-        state{{nodes.data, 1}, {nodes.data + 3 * n_nodes, 1}, {nodes.data + 6 * n_nodes, 1}, {edge.data, 1}, {edge.data + 3 * n_nodes, 1}},
+      : batch(b),
+        first(start),
+        used(static_cast<int>(b.n_runs - start < W ? b.n_runs - start : W)),
+        n_nodes(b.topology.n_nodes),
+        nodes(9 * static_cast<std::size_t>(n_nodes)),
+        edge(b.topology.features.plate_edge ? 6 * static_cast<std::size_t>(n_nodes) : 0),
+        terms(static_cast<std::size_t>(b.n_terms)),
+        state{{nodes.data, 1},
+              {nodes.data + 3 * n_nodes, 1},
+              {nodes.data + 6 * n_nodes, 1},
+              {edge.data, 1},
+              {edge.data + 3 * n_nodes, 1}},
         trajectory{b.n_terms, b.term_dof, terms.data, b.knots, D(0.0), D(1.0)} {
     for (int q = 0; q < W; q++) load_run(q);
     lay_down(state, batch.topology, parameter, trajectory);
@@ -122,7 +132,8 @@ struct Block {
 
   void picture(int q) {
     const std::int64_t run = run_of(q);
-    if (batch.thinning[run] <= 0 || (sampled[q] - 1) % batch.thinning[run] != 0 || pictured[q] >= batch.max_snapshots) return;
+    if (batch.thinning[run] <= 0 || (sampled[q] - 1) % batch.thinning[run] != 0 || pictured[q] >= batch.max_snapshots)
+      return;
     float* out = batch.snapshots + (run * batch.max_snapshots + pictured[q]++) * 3 * n_nodes;
     for (int j = 0; j < 3 * n_nodes; j++) out[j] = static_cast<float>(state.x.data[j].v[q]);
   }
@@ -158,13 +169,13 @@ struct Block {
   }
 
   void clear_tally(int q) {
-    for (R* sum : {&tally.left, &tally.right, &tally.none, &tally.nodes, &tally.joint_loss, &tally.contact_work,
-                   &tally.friction_loss, &tally.plate_work})
-      sum->v[q] = 0;
+    R* const sums[] = {&tally.left,       &tally.right,        &tally.none,          &tally.nodes,
+                       &tally.joint_loss, &tally.contact_work, &tally.friction_loss, &tally.plate_work};
+    for (R* sum : sums) sum->v[q] = 0;
   }
 
   void run(Progress& progress) {
-    const FlushDenormals guard;
+    [[maybe_unused]] const FlushDenormals guard;
     while (any_running()) {
       const std::int64_t stop = next_stop();
       while (taken < stop) {
@@ -177,7 +188,9 @@ struct Block {
   }
 
   /// Steps of about a millisecond: so often it is asked whether to go on, however far apart the samples.
-  std::int64_t steps_between_looks() const { return n_nodes < NODE_STEPS_BETWEEN_LOOKS ? NODE_STEPS_BETWEEN_LOOKS / n_nodes : 1; }
+  std::int64_t steps_between_looks() const {
+    return n_nodes < NODE_STEPS_BETWEEN_LOOKS ? NODE_STEPS_BETWEEN_LOOKS / n_nodes : 1;
+  }
 
   void advance_to(std::int64_t end, Progress& progress) {
     const std::int64_t from = taken;

@@ -1,9 +1,9 @@
 // The edge of a finite plate. It carries the sheet between its nodes, and what is beneath the plate stays beneath.
 //
-// Each node has a memory. `sunk` is the depth at which the plate's surface would have to lie for it to touch: zero for a
-// sheet that lies on the plate or hangs over its edge; a node that comes in from beside the plate brings its whole depth
-// along, and so finds nothing to stand on. And since a contact deepens little by little, what is found deep at once was
-// never on the plate.
+// Each node has a memory. `sunk` is the depth at which the plate's surface would have to lie for it to touch: zero for
+// a sheet that lies on the plate or hangs over its edge; a node that comes in from beside the plate brings its whole
+// depth along, and so finds nothing to stand on. And since a contact deepens little by little, what is found deep at
+// once was never on the plate.
 #pragma once
 
 #include "touch.hpp"
@@ -32,8 +32,9 @@ PLATEGAIT_HD Above<R> above_plate(Vec3<R> x, const PlatePose<R>& plate, const R*
           (along < length) & (zero - along < length) & (across < width) & (zero - across < width)};
 }
 
-/// What the edge remembers of a node: `sunk`, m, and how the plate carries it now and carried it the step before: by
-/// −(1 + reach) where it is over the plate, by 1 + reach where a neighbour on the plate holds it beyond the edge, else 0.
+/// What the edge remembers of a node: `sunk`, m, and how the plate carries it now and carried it the step before:
+/// by −(1 + reach) where it is over the plate, by 1 + reach where a neighbour on the plate holds it beyond the edge,
+/// else 0.
 template <class R>
 struct Memory {
   R sunk, before, now;
@@ -89,11 +90,14 @@ struct Crossing {
 };
 
 template <class R>
-PLATEGAIT_HD Crossing<R> edge_crossing(const Above<R>& a, const Above<R>& b, const PlatePose<R>& plate, const R* parameter) {
+PLATEGAIT_HD Crossing<R> edge_crossing(const Above<R>& a, const Above<R>& b, const PlatePose<R>& plate,
+                                       const R* parameter) {
   const R zero = number<R>(0), one = number<R>(1);
   const Mask<R> first = a.over & !b.over, second = b.over & !a.over;
-  const Passage<R> along = passage(select(first, a.along, b.along), select(first, b.along, a.along), parameter[PLATE_HALF_LENGTH]);
-  const Passage<R> across = passage(select(first, a.across, b.across), select(first, b.across, a.across), parameter[PLATE_HALF_WIDTH]);
+  const Passage<R> along =
+      passage(select(first, a.along, b.along), select(first, b.along, a.along), parameter[PLATE_HALF_LENGTH]);
+  const Passage<R> across =
+      passage(select(first, a.across, b.across), select(first, b.across, a.across), parameter[PLATE_HALF_WIDTH]);
   const R share = larger(smaller(smaller(along.share, across.share), one), zero);
   const R far = select(first, share, one - share), near = one - far;
   const R depth = near * a.depth + far * b.depth, sinks = select(first, b.depth - a.depth, a.depth - b.depth);
@@ -102,7 +106,8 @@ PLATEGAIT_HD Crossing<R> edge_crossing(const Above<R>& a, const Above<R>& b, con
   // A piece that falls off beyond the edge leans on the corner: its slope, with the sign of the axis it crosses.
   const R slope = larger(sinks, zero) * outward / (outward * outward + number<R>(1e-20));
   const R level = reciprocal_sqrt(one + slope * slope);
-  const Vec3<R> lean = slope * Vec3<R>{select(ends, plate.ex.x, plate.ey.x), select(ends, plate.ex.y, plate.ey.y), select(ends, plate.ex.z, plate.ey.z)};
+  const Vec3<R> lean = slope * Vec3<R>{select(ends, plate.ex.x, plate.ey.x), select(ends, plate.ex.y, plate.ey.y),
+                                       select(ends, plate.ex.z, plate.ey.z)};
   return {first | second, first, near, far, share, level * depth, level * (plate.normal + lean)};
 }
 
@@ -165,7 +170,8 @@ PLATEGAIT_HD void hold_node(const State<R>& s, int k, Vec3<R> force, R dt, R inv
 
 /// Visit the pieces of the lattice that cross the edge in any lane: with their nodes, a and b, as the plate sees them.
 template <class R, class Visit>
-PLATEGAIT_HD void at_crossings(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate, Visit visit) {
+PLATEGAIT_HD void at_crossings(const State<R>& s, const Topology& topology, const R* parameter,
+                               const PlatePose<R>& plate, Visit visit) {
   for (int i = 0; i < topology.n_axial_lines; i++) {
     Above<R> a, b = above_plate(s.x.get(topology.line_nodes[topology.line_start[i]]), plate, parameter);
     for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
@@ -183,7 +189,7 @@ PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R
                             const PlatePose<R>& plate, const PlatePose<R>& next, Tally<R>& tally, R& left, R& right) {
   const R zero = number<R>(0), one = number<R>(1), inverse_mass = one / parameter[NODE_MASS], dt = surface.time_step;
   for (int k = 0; k < topology.n_nodes; k++) s.held.set(k, {zero, zero, zero});
-  at_crossings(s, topology, parameter, plate, [&](const Crossing<R>& c, int ka, int kb, const Above<R>& a, const Above<R>& b) {
+  const auto carry = [&](const Crossing<R>& c, int ka, int kb, const Above<R>& a, const Above<R>& b) {
     Memory<R> ma = recall(s, ka), mb = recall(s, kb);
     hold_beyond(c, ma, mb);
     remember(s, ka, ma);
@@ -192,7 +198,8 @@ PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R
     const Vec3<R> r = c.near * s.x.get(ka) + c.far * s.x.get(kb) - plate.origin;
     Vec3<R> pull = inverse_mass * (c.near * s.f.get(ka) + c.far * s.f.get(kb));
     pull.z = pull.z - parameter[GRAVITY];
-    const Point<R> point = {c.near * s.v.get(ka) + c.far * s.v.get(kb), pull, (c.near * c.near + c.far * c.far) * inverse_mass};
+    const Point<R> point = {c.near * s.v.get(ka) + c.far * s.v.get(kb), pull,
+                            (c.near * c.near + c.far * c.far) * inverse_mass};
     Ground<R> ground = ground_at(plate, next, r);
     ground.normal = c.normal;
     const Touch<R> touch = touch_plate(surface, topology.features, point, ground, reach_of(c, ma, mb), c.share);
@@ -205,28 +212,32 @@ PLATEGAIT_HD void meet_edge(const State<R>& s, const Topology& topology, const R
     const Mask<R> on_left = c.near * a.across + c.far * b.across > tally.centre_y;
     left = larger(left, select(on_left, touches, zero));
     right = larger(right, select(on_left, zero, touches));
-  });
+  };
+  at_crossings(s, topology, parameter, plate, carry);
 }
 
 /// Before the first step: a sheet that is laid across the edge hangs over it.
 template <class R>
-PLATEGAIT_HD void lay_across_edge(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate) {
-  at_crossings(s, topology, parameter, plate, [&](const Crossing<R>& c, int ka, int kb, const Above<R>&, const Above<R>&) {
+PLATEGAIT_HD void lay_across_edge(const State<R>& s, const Topology& topology, const R* parameter,
+                                  const PlatePose<R>& plate) {
+  const auto hang = [&](const Crossing<R>& c, int ka, int kb, const Above<R>&, const Above<R>&) {
     Memory<R> a = recall(s, ka), b = recall(s, kb);
     hold_beyond(c, a, b);
     remember(s, ka, a);
     remember(s, kb, b);
-  });
+  };
+  at_crossings(s, topology, parameter, plate, hang);
 }
 
 /// Energy that the contact along the edge stores, J.
 template <class R>
 PLATEGAIT_HD R edge_energy(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate) {
   R stored = number<R>(0);
-  at_crossings(s, topology, parameter, plate, [&](const Crossing<R>& c, int ka, int kb, const Above<R>&, const Above<R>&) {
+  const auto store = [&](const Crossing<R>& c, int ka, int kb, const Above<R>&, const Above<R>&) {
     const R reach = larger(reach_of(c, recall(s, ka), recall(s, kb)), number<R>(0));
     stored += contact_energy(reach, c.share * parameter[CONTACT_STIFFNESS]);
-  });
+  };
+  at_crossings(s, topology, parameter, plate, store);
   return stored;
 }
 

@@ -74,8 +74,14 @@ struct Lanes {
   PLATEGAIT_HD friend Lanes operator*(Lanes a, Lanes b) { return a.v * b.v; }
   PLATEGAIT_HD friend Lanes operator/(Lanes a, Lanes b) { return a.v / b.v; }
   PLATEGAIT_HD friend Lanes operator-(Lanes a) { return -a.v; }
-  PLATEGAIT_HD Lanes& operator+=(Lanes b) { v += b.v; return *this; }
-  PLATEGAIT_HD Lanes& operator-=(Lanes b) { v -= b.v; return *this; }
+  PLATEGAIT_HD Lanes& operator+=(Lanes b) {
+    v += b.v;
+    return *this;
+  }
+  PLATEGAIT_HD Lanes& operator-=(Lanes b) {
+    v -= b.v;
+    return *this;
+  }
   PLATEGAIT_HD friend M operator<(Lanes a, Lanes b) { return {a.v < b.v}; }
   PLATEGAIT_HD friend M operator>(Lanes a, Lanes b) { return {a.v > b.v}; }
 };
@@ -114,7 +120,8 @@ PLATEGAIT_HD Lanes<float, W, Level> reciprocal_sqrt(Lanes<float, W, Level> a) {
   using R = Lanes<float, W, Level>;
   R y;
 #if defined(__AVX512F__)
-  if constexpr (W == 16) y.v = (typename R::V)_mm512_rsqrt14_ps((__m512)a.v);
+  // Under a full mask, as gcc's plain form reads an undefined register and warns of it.
+  if constexpr (W == 16) y.v = (typename R::V)_mm512_maskz_rsqrt14_ps(__mmask16(-1), (__m512)a.v);
 #elif defined(__AVX__)
   if constexpr (W == 8) y.v = (typename R::V)_mm256_rsqrt_ps((__m256)a.v);
 #elif defined(__SSE__)
@@ -172,7 +179,8 @@ PLATEGAIT_HD LaneIndex<W, L> index_of(Lanes<double, W, L> a) {
 }
 /// Each lane looks into its own row of the one table that all share.
 template <class T, int W, class L>
-PLATEGAIT_HD Lanes<T, W, L> look_up(const double* table, LaneIndex<W, L> index, int columns, int column, Lanes<T, W, L>) {
+PLATEGAIT_HD Lanes<T, W, L> look_up(const double* table, LaneIndex<W, L> index, int columns, int column,
+                                    Lanes<T, W, L>) {
   Lanes<T, W, L> y;
   for (int q = 0; q < W; q++) y.v[q] = static_cast<T>(table[static_cast<std::int64_t>(index.v[q]) * columns + column]);
   return y;

@@ -34,8 +34,8 @@ PLATEGAIT_HD R number(double value) {
 /// A straight piece of the lattice between two neighbouring nodes.
 template <class R>
 struct Edge {
-  Vec3<R> along;     // from the first node to the second, m
-  Vec3<R> rate;      // d(along)/dt, m/s
+  Vec3<R> along;                     // from the first node to the second, m
+  Vec3<R> rate;                      // d(along)/dt, m/s
   R squared_length, inverse_length;  // m^2, 1/m
 };
 
@@ -119,8 +119,8 @@ PLATEGAIT_HD R bending_energy(Edge<R> first, Edge<R> second, R k_b) {
 /// Both parts act about the joint's own axis, first × second, which is square to both edges: so the joint makes no
 /// net moment, and a bent sheet that turns as a whole loses nothing.
 template <class R>
-PLATEGAIT_HD Vec3<R> bending_moment(Edge<R> first, Edge<R> second, Vec3<R> first_turning, Vec3<R> second_turning,
-                                    R k_b, R c_b, R inverse_pitch, R& loss) {
+PLATEGAIT_HD Vec3<R> bending_moment(Edge<R> first, Edge<R> second, Vec3<R> first_turning, Vec3<R> second_turning, R k_b,
+                                    R c_b, R inverse_pitch, R& loss) {
   const BendAngle<R> a = bend_angle(first, second);
   const Vec3<R> sine = (first.inverse_length * second.inverse_length) * cross(first.along, second.along);
   // Rate of the angle, over sin θ. The floor is the square of an angle far below single precision's resolution.

@@ -32,7 +32,8 @@ constexpr std::size_t MOST_NODES = INT_MAX / 9;
 
 template <class A>
 auto sized(const A& array, std::size_t size, const char* name) {
-  if (array.size() != size) refuse(std::string(name) + " has " + std::to_string(array.size()) + " numbers, not " + std::to_string(size));
+  if (array.size() != size)
+    refuse(std::string(name) + " has " + std::to_string(array.size()) + " numbers, not " + std::to_string(size));
   return array.data();
 }
 
@@ -60,14 +61,17 @@ const double* finite(const Array<double>& array, const char* name) {
 /// A parameter that the core divides by.
 void check_positive(const double* parameters, int which, std::size_t n_runs) {
   for (std::size_t j = 0; j < n_runs; j++)
-    if (!(parameters[static_cast<std::size_t>(which) * n_runs + j] > 0)) refuse(std::string(plategait::parameter_names[which]) + " not above 0");
+    if (!(parameters[static_cast<std::size_t>(which) * n_runs + j] > 0))
+      refuse(std::string(plategait::parameter_names[which]) + " not above 0");
 }
 
-Topology topology_of(const Array<int>& line_start, const Array<int>& line_nodes, int n_axial_lines, const Array<int>& cells,
-                     const Array<double>& rest, const Array<double>& mobility, const std::vector<bool>& features) {
+Topology topology_of(const Array<int>& line_start, const Array<int>& line_nodes, int n_axial_lines,
+                     const Array<int>& cells, const Array<double>& rest, const Array<double>& mobility,
+                     const std::vector<bool>& features) {
   const std::size_t n_nodes = mobility.size();
   if (n_nodes == 0 || n_nodes > MOST_NODES) refuse("no nodes, or too many");
-  if (line_start.size() == 0 || line_start.size() > INT_MAX || line_nodes.size() > INT_MAX) refuse("line_start is empty, or too long");
+  if (line_start.size() == 0 || line_start.size() > INT_MAX || line_nodes.size() > INT_MAX)
+    refuse("line_start is empty, or too long");
   const int n_lines = static_cast<int>(line_start.size() - 1), last = static_cast<int>(line_nodes.size());
   const int* start = line_start.data();
   if (start[0] != 0 || start[n_lines] != last) refuse("line_start does not cover line_nodes");
@@ -79,14 +83,22 @@ Topology topology_of(const Array<int>& line_start, const Array<int>& line_nodes,
   if (features.size() != 4) refuse("features has " + std::to_string(features.size()) + " entries, not 4");
   const auto nodes = static_cast<std::int64_t>(n_nodes);
   sized(rest, 2 * n_nodes, "rest");
-  return {static_cast<int>(n_nodes), n_lines, n_axial_lines, static_cast<int>(n_cells), start,
-          within(line_nodes, 0, nodes, "line_nodes"), within(cells, 0, nodes, "cells"), finite(rest, "rest"),
-          finite(mobility, "mobility"), {features[0], features[1], features[2], features[3]}};
+  return {static_cast<int>(n_nodes),
+          n_lines,
+          n_axial_lines,
+          static_cast<int>(n_cells),
+          start,
+          within(line_nodes, 0, nodes, "line_nodes"),
+          within(cells, 0, nodes, "cells"),
+          finite(rest, "rest"),
+          finite(mobility, "mobility"),
+          {features[0], features[1], features[2], features[3]}};
 }
 
 /// Put the table of each run into the batch: where it begins among the shared knots, and how many it has.
 template <class T>
-void share_knots(Batch<T>& batch, const Array<double>& knots, const Array<std::int64_t>& first_knot, const Array<std::int64_t>& n_knots) {
+void share_knots(Batch<T>& batch, const Array<double>& knots, const Array<std::int64_t>& first_knot,
+                 const Array<std::int64_t>& n_knots) {
   const std::size_t rows = rows_of(knots, 12, "knots");
   if (rows == 0) return;
   const auto n_runs = static_cast<std::size_t>(batch.n_runs), most = std::min<std::size_t>(rows, INT_MAX);
@@ -95,7 +107,8 @@ void share_knots(Batch<T>& batch, const Array<double>& knots, const Array<std::i
   within(first_knot, 0, static_cast<std::int64_t>(most), "first_knot");
   within(n_knots, 2, static_cast<std::int64_t>(most) + 1, "n_knots");
   for (std::size_t j = 0; j < n_runs; j++)
-    if (first_knot.data()[j] + n_knots.data()[j] > static_cast<std::int64_t>(most)) refuse("n_knots past the end of knots");
+    if (first_knot.data()[j] + n_knots.data()[j] > static_cast<std::int64_t>(most))
+      refuse("n_knots past the end of knots");
   check_positive(batch.parameters, plategait::TABLE_STEP, n_runs);
   batch.knots = finite(knots, "knots");
   batch.first_knot = first_knot.data();
@@ -129,11 +142,11 @@ bool run_while_wanted(const Batch<T>& batch, const std::string& level, int threa
 /// for arrays that do not belong together, MemoryError where the core finds no memory.
 template <class T>
 void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Array<int> cells, Array<double> rest,
-             Array<double> mobility, std::vector<bool> features, Array<double> parameters, Array<int> term_dof, Array<double> terms,
-             Array<double> knots, Array<std::int64_t> first_knot, Array<std::int64_t> n_knots, Array<std::int64_t> steps,
-             Array<std::int64_t> stride, Array<std::int64_t> thinning, Array<double> x0, Array<double> v0, Output<T> samples,
-             Output<float> snapshots, Output<double> x1, Output<double> v1, Output<std::int64_t> steps_done,
-             const std::string& level, int threads, nb::object progress) {
+             Array<double> mobility, std::vector<bool> features, Array<double> parameters, Array<int> term_dof,
+             Array<double> terms, Array<double> knots, Array<std::int64_t> first_knot, Array<std::int64_t> n_knots,
+             Array<std::int64_t> steps, Array<std::int64_t> stride, Array<std::int64_t> thinning, Array<double> x0,
+             Array<double> v0, Output<T> samples, Output<float> snapshots, Output<double> x1, Output<double> v1,
+             Output<std::int64_t> steps_done, const std::string& level, int threads, nb::object progress) {
   Batch<T> batch{};
   batch.topology = topology_of(line_start, line_nodes, n_axial_lines, cells, rest, mobility, features);
   const std::size_t n_runs = steps.size(), n_terms = term_dof.size(), vectors = n_runs * mobility.size() * 3;
@@ -171,10 +184,11 @@ void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Ar
 template <class T, class Module>
 void define_advance(Module& module, const char* name) {
   // An output of another type or layout would be filled in a copy, and lost: it is refused.
-  module.def(name, &advance<T>, "line_start"_a, "line_nodes"_a, "n_axial_lines"_a, "cells"_a, "rest"_a, "mobility"_a, "features"_a,
-             "parameters"_a, "term_dof"_a, "terms"_a, "knots"_a, "first_knot"_a, "n_knots"_a, "steps"_a, "stride"_a, "thinning"_a,
-             "x0"_a, "v0"_a, "samples"_a.noconvert(), "snapshots"_a.noconvert(), "x1"_a.noconvert(), "v1"_a.noconvert(),
-             "steps_done"_a.noconvert(), "level"_a, "threads"_a, "progress"_a.none());
+  module.def(name, &advance<T>, "line_start"_a, "line_nodes"_a, "n_axial_lines"_a, "cells"_a, "rest"_a, "mobility"_a,
+             "features"_a, "parameters"_a, "term_dof"_a, "terms"_a, "knots"_a, "first_knot"_a, "n_knots"_a, "steps"_a,
+             "stride"_a, "thinning"_a, "x0"_a, "v0"_a, "samples"_a.noconvert(), "snapshots"_a.noconvert(),
+             "x1"_a.noconvert(), "v1"_a.noconvert(), "steps_done"_a.noconvert(), "level"_a, "threads"_a,
+             "progress"_a.none());
 }
 
 }  // namespace
@@ -184,6 +198,8 @@ NB_MODULE(_native, module) {
   define_advance<float>(module, "advance_float32");
   define_advance<double>(module, "advance_float64");
   module.def("available_levels", &plategait::available_levels, "Instruction sets this processor can run, best first.");
-  module.attr("PARAMETERS") = nb::cast(std::vector<std::string>(std::begin(plategait::parameter_names), std::end(plategait::parameter_names)));
-  module.attr("CHANNELS") = nb::cast(std::vector<std::string>(std::begin(plategait::channel_names), std::end(plategait::channel_names)));
+  module.attr("PARAMETERS") =
+      nb::cast(std::vector<std::string>(std::begin(plategait::parameter_names), std::end(plategait::parameter_names)));
+  module.attr("CHANNELS") =
+      nb::cast(std::vector<std::string>(std::begin(plategait::channel_names), std::end(plategait::channel_names)));
 }

@@ -5,32 +5,33 @@ namespace plategait {
 
 /// Order of the rows that the batch is packed in. `parameter_names` below is the same list, for Python.
 enum Parameter : int {
-  PITCH,               // m
-  NODE_MASS,           // kg
-  AXIAL_STIFFNESS,     // k_c, N/m
-  AXIAL_DAMPING,       // c_c, N s/m
-  BENDING_STIFFNESS,   // k_b, N m/rad
-  BENDING_DAMPING,     // c_b, N m s/rad
-  TORSION_STIFFNESS,   // k_t, N m/rad
-  TORSION_DAMPING,     // c_t, N m s/rad
-  CONTACT_STIFFNESS,   // k_contact of one node, N/mm^2.2: the depth of (3.1) counts in mm
-  CONTACT_DAMPING,     // c_contact of one node, N s/m
-  CONTACT_RAMP,        // depth over which the contact damping rises to its full value, m (0: at once)
-  STATIC_FRICTION,     // mu_s
-  KINETIC_FRICTION,    // mu_k
-  STATIC_SPEED,        // V, m/s
-  KINETIC_SPEED,       // V_d of the smooth law, m/s
-  SMOOTH_FRICTION,     // 1: the smooth law; 0: the law of (3.2)
-  GRAVITY,             // m/s^2
-  PLATE_HALF_LENGTH,   // m, along the bar
-  PLATE_HALF_WIDTH,    // m, across the bar
-  PLATE_HEIGHT,        // m, of the plate's surface above the axis that it turns about
-  RAMP_DURATION,       // s, start of the plate motion
-  TABLE_STEP,          // s, between the knots of a sampled trajectory
-  TIME_STEP,           // s
+  PITCH,              // m
+  NODE_MASS,          // kg
+  AXIAL_STIFFNESS,    // k_c, N/m
+  AXIAL_DAMPING,      // c_c, N s/m
+  BENDING_STIFFNESS,  // k_b, N m/rad
+  BENDING_DAMPING,    // c_b, N m s/rad
+  TORSION_STIFFNESS,  // k_t, N m/rad
+  TORSION_DAMPING,    // c_t, N m s/rad
+  CONTACT_STIFFNESS,  // k_contact of one node, N/mm^2.2: the depth of (3.1) counts in mm
+  CONTACT_DAMPING,    // c_contact of one node, N s/m
+  CONTACT_RAMP,       // depth over which the contact damping rises to its full value, m (0: at once)
+  STATIC_FRICTION,    // mu_s
+  KINETIC_FRICTION,   // mu_k
+  STATIC_SPEED,       // V, m/s
+  KINETIC_SPEED,      // V_d of the smooth law, m/s
+  SMOOTH_FRICTION,    // 1: the smooth law; 0: the law of (3.2)
+  GRAVITY,            // m/s^2
+  PLATE_HALF_LENGTH,  // m, along the bar
+  PLATE_HALF_WIDTH,   // m, across the bar
+  PLATE_HEIGHT,       // m, of the plate's surface above the axis that it turns about
+  RAMP_DURATION,      // s, start of the plate motion
+  TABLE_STEP,         // s, between the knots of a sampled trajectory
+  TIME_STEP,          // s
   N_PARAMETERS
 };
 
+// clang-format off: the lists that follow are grouped by meaning.
 constexpr const char* parameter_names[N_PARAMETERS] = {
     "pitch", "node_mass", "axial_stiffness", "axial_damping", "bending_stiffness", "bending_damping",
     "torsion_stiffness", "torsion_damping", "contact_stiffness", "contact_damping", "contact_ramp",
@@ -60,6 +61,7 @@ constexpr const char* channel_names[N_CHANNELS] = {
     "kinetic_energy", "gravity_energy", "axial_energy", "bending_energy", "torsion_energy", "contact_energy",
     "joint_loss", "contact_work", "friction_loss", "plate_work",
     "plate_x", "plate_y", "plate_z", "plate_rx", "plate_ry", "plate_rz"};
+// clang-format on
 
 constexpr int DEGREES_OF_FREEDOM = 6;
 

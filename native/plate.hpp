@@ -18,7 +18,7 @@ PLATEGAIT_HD SineCosine<R> sine_cosine(R turns) {
   const R half = number<R>(0.5), quarter = number<R>(0.25), one = number<R>(1), zero = number<R>(0);
   const R side = select(turns < zero, number<R>(-1), one);
   R t = side * turns;
-  t = select(t > half, t - one, t);                // [−½, ½], odd reflection kept by `side`
+  t = select(t > half, t - one, t);  // [−½, ½], odd reflection kept by `side`
   const Mask<R> beyond = select(t < zero, zero - t, t) > quarter;
   t = select(beyond, t - select(t < zero, number<R>(-0.5), half), t);
   const R flip = select(beyond, number<R>(-1), one);
@@ -112,9 +112,9 @@ struct Term {
 template <class R>
 struct Trajectory {
   int n_terms;
-  const int* term_dof;   // degree of freedom of each term, the same for every run
+  const int* term_dof;  // degree of freedom of each term, the same for every run
   const Term<R>* terms;
-  const double* knots;   // [knot][dof][position, speed] of all tables, shared by all runs; null where there is none
+  const double* knots;  // [knot][dof][position, speed] of all tables, shared by all runs; null where there is none
   Wide<R> first_knot, last_knot;  // of the run's own table: its first among all knots, its last among its own
 };
 
@@ -144,11 +144,14 @@ PLATEGAIT_HD PlateMotion<R> move_plate(const Trajectory<R>& trajectory, const R*
     const R s = narrow_to(knot - behind, R());
     const R one = number<R>(1), three = number<R>(3), rest = one - s, rise = s * s * (three - number<R>(2) * s);
     for (int d = 0; d < DEGREES_OF_FREEDOM; d++) {
-      const Wide<R> p0 = look_up(trajectory.knots, row, 12, 2 * d, Wide<R>()), p1 = look_up(trajectory.knots, row, 12, 2 * d + 12, Wide<R>());
-      const R v0 = look_up(trajectory.knots, row, 12, 2 * d + 1, R()) * step, v1 = look_up(trajectory.knots, row, 12, 2 * d + 13, R()) * step;
+      const Wide<R> p0 = look_up(trajectory.knots, row, 12, 2 * d, Wide<R>());
+      const Wide<R> p1 = look_up(trajectory.knots, row, 12, 2 * d + 12, Wide<R>());
+      const R v0 = look_up(trajectory.knots, row, 12, 2 * d + 1, R()) * step;
+      const R v1 = look_up(trajectory.knots, row, 12, 2 * d + 13, R()) * step;
       const R way = narrow_to(p1 - p0, R());
       motion.position[d] += p0 + widen(rise * way + s * rest * (rest * v0 - s * v1));
-      motion.speed[d] += (number<R>(6) * s * rest * way + rest * (one - three * s) * v0 + s * (three * s - number<R>(2)) * v1) / step;
+      motion.speed[d] +=
+          (number<R>(6) * s * rest * way + rest * (one - three * s) * v0 + s * (three * s - number<R>(2)) * v1) / step;
     }
   }
   for (int d = 0; d < DEGREES_OF_FREEDOM; d++) {

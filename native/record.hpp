@@ -37,7 +37,8 @@ PLATEGAIT_HD void record_joints(const State<R>& s, const Topology& topology, con
     area = area + half * cross(x3 - x0, x2 - x1);
     twist += torsion_energy((x0 - x1) - (x2 - x3), inverse_pitch, parameter[TORSION_STIFFNESS]);
   }
-  const R per_area = topology.n_cells ? inverse_pitch * inverse_pitch * number<R>(1.0 / (topology.n_cells + 1e-30)) : zero;
+  const R per_area =
+      topology.n_cells ? inverse_pitch * inverse_pitch * number<R>(1.0 / (topology.n_cells + 1e-30)) : zero;
   channel[AREA_X] = per_area * area.x;
   channel[AREA_Y] = per_area * area.y;
   channel[AREA_Z] = per_area * area.z;
@@ -49,8 +50,8 @@ PLATEGAIT_HD void record_joints(const State<R>& s, const Topology& topology, con
 }
 
 template <class R>
-PLATEGAIT_HD void record_nodes(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate,
-                               R* channel) {
+PLATEGAIT_HD void record_nodes(const State<R>& s, const Topology& topology, const R* parameter,
+                               const PlatePose<R>& plate, R* channel) {
   const R zero = number<R>(0), half = number<R>(0.5), mass = parameter[NODE_MASS], pitch = parameter[PITCH];
   Vec3<R> sum = {zero, zero, zero};
   R spin_cross = zero, spin_dot = zero, kinetic = zero, height = zero, stored = zero;

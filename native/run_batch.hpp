@@ -16,6 +16,7 @@ std::vector<std::string> available_levels();
 /// returns false the batch stops. Returns whether it ran to the end. Throws std::bad_alloc where there is no memory for
 /// a block, or for a single thread; where only some of the threads can be started, those do the work.
 template <class T>
-bool run_batch(const Batch<T>& batch, const std::string& level, int threads, const std::function<bool(std::int64_t)>& poll);
+bool run_batch(const Batch<T>& batch, const std::string& level, int threads,
+               const std::function<bool(std::int64_t)>& poll);
 
 }  // namespace plategait

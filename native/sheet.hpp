@@ -18,11 +18,11 @@ struct Features {
 /// bend, the others run along its diagonals and carry the in-plane shear. Cells list corners 00, 10, 01, 11.
 struct Topology {
   int n_nodes, n_lines, n_axial_lines, n_cells;
-  const int* line_start;    // n_lines + 1
+  const int* line_start;  // n_lines + 1
   const int* line_nodes;
-  const int* cells;         // n_cells x 4
-  const double* rest;       // n_nodes x 2, in pitches, about the centroid
-  const double* mobility;   // n_nodes: 1 free, 0 held where it is
+  const int* cells;        // n_cells x 4
+  const double* rest;      // n_nodes x 2, in pitches, about the centroid
+  const double* mobility;  // n_nodes: 1 free, 0 held where it is
   Features features;
 };
 
@@ -45,23 +45,22 @@ struct Nodes {
 template <class R>
 struct State {
   Nodes<R> x, v, f;
-  // What the edge of a finite plate remembers of each node, and its force on it in this step (edge.hpp); not there where
-  // no plate ends.
+  // What the edge of a finite plate remembers of each node, and its force on it in this step (edge.hpp); not there
+  // where no plate ends.
   Nodes<R> edge, held;
 };
 
 /// What the step adds up for the observables since the last sample.
 template <class R>
 struct Tally {
-  R left, right, none, nodes;                            // steps touched by; airborne; node-steps in contact
-  R joint_loss, contact_work, friction_loss, plate_work; // J
-  R centre_y;                                            // m, where the legs part: last step's mean, plate frame
+  R left, right, none, nodes;                             // steps touched by; airborne; node-steps in contact
+  R joint_loss, contact_work, friction_loss, plate_work;  // J
+  R centre_y;                                             // m, where the legs part: last step's mean, plate frame
 };
 
 /// Axial and bending joints of one straight line of nodes. Walks it once, carrying the edge behind.
 template <bool Bends, class R>
-PLATEGAIT_HD void pull_line(const State<R>& s, const int* nodes, int n, const R* parameter, R rest_length,
-                            R& power) {
+PLATEGAIT_HD void pull_line(const State<R>& s, const int* nodes, int n, const R* parameter, R rest_length, R& power) {
   const R k_c = parameter[AXIAL_STIFFNESS];
   const R inverse_pitch = number<R>(1) / parameter[PITCH];
   const R c_c = implicit_damping(parameter[AXIAL_DAMPING], parameter[TIME_STEP] / parameter[NODE_MASS]);
@@ -109,7 +108,8 @@ PLATEGAIT_HD void twist_cells(const State<R>& s, const Topology& topology, const
     const int* k = topology.cells + 4 * c;
     const Vec3<R> warp = (s.x.get(k[0]) - s.x.get(k[1])) - (s.x.get(k[2]) - s.x.get(k[3]));
     const Vec3<R> rate = (s.v.get(k[0]) - s.v.get(k[1])) - (s.v.get(k[2]) - s.v.get(k[3]));
-    const Vec3<R> force = torsion_force(warp, rate, inverse_pitch, parameter[TORSION_STIFFNESS], parameter[TORSION_DAMPING], power);
+    const Vec3<R> force =
+        torsion_force(warp, rate, inverse_pitch, parameter[TORSION_STIFFNESS], parameter[TORSION_DAMPING], power);
     s.f.add(k[0], force);
     s.f.set(k[1], s.f.get(k[1]) - force);
     s.f.set(k[2], s.f.get(k[2]) - force);
@@ -124,11 +124,11 @@ PLATEGAIT_HD void pull_joints(const State<R>& s, const Topology& topology, const
   R power = zero;
   const R pitch = parameter[PITCH], diagonal = number<R>(1.4142135623730951) * pitch;
   for (int i = 0; i < topology.n_axial_lines; i++)
-    pull_line<true>(s, topology.line_nodes + topology.line_start[i], topology.line_start[i + 1] - topology.line_start[i],
-                    parameter, pitch, power);
+    pull_line<true>(s, topology.line_nodes + topology.line_start[i],
+                    topology.line_start[i + 1] - topology.line_start[i], parameter, pitch, power);
   for (int i = topology.n_axial_lines; i < topology.n_lines; i++)
-    pull_line<false>(s, topology.line_nodes + topology.line_start[i], topology.line_start[i + 1] - topology.line_start[i],
-                     parameter, diagonal, power);
+    pull_line<false>(s, topology.line_nodes + topology.line_start[i],
+                     topology.line_start[i + 1] - topology.line_start[i], parameter, diagonal, power);
   if (topology.features.torsion) twist_cells(s, topology, parameter, power);
   tally.joint_loss += power * parameter[TIME_STEP];
 }

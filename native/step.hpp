@@ -58,7 +58,8 @@ PLATEGAIT_HD void meet_plate(const State<R>& s, const Topology& topology, const 
 
 /// Before the first step: what the edge remembers of a sheet that was laid there.
 template <class R>
-PLATEGAIT_HD void lay_down(const State<R>& state, const Topology& topology, const R* parameter, const Trajectory<R>& trajectory) {
+PLATEGAIT_HD void lay_down(const State<R>& state, const Topology& topology, const R* parameter,
+                           const Trajectory<R>& trajectory) {
   if (!topology.features.plate_edge) return;
   const PlatePose<R> plate = plate_pose(move_plate(trajectory, parameter, number<Wide<R>>(0)), parameter[PLATE_HEIGHT]);
   if (see_edge(state, topology, parameter, plate)) lay_across_edge(state, topology, parameter, plate);

@@ -17,10 +17,18 @@ struct Surface {
 template <class R>
 PLATEGAIT_HD Surface<R> surface_of(const R* parameter) {
   const R one = number<R>(1), ramp = parameter[CONTACT_RAMP], V = parameter[STATIC_SPEED];
-  return {parameter[TIME_STEP], parameter[CONTACT_STIFFNESS], parameter[CONTACT_DAMPING], ramp,
-          one / larger(ramp, number<R>(1e-12)), parameter[STATIC_FRICTION], parameter[KINETIC_FRICTION],
-          one / larger(parameter[KINETIC_FRICTION], number<R>(1e-20)), V, one / V,
-          one / (parameter[KINETIC_SPEED] - V), parameter[SMOOTH_FRICTION] > number<R>(0.5)};
+  return {parameter[TIME_STEP],
+          parameter[CONTACT_STIFFNESS],
+          parameter[CONTACT_DAMPING],
+          ramp,
+          one / larger(ramp, number<R>(1e-12)),
+          parameter[STATIC_FRICTION],
+          parameter[KINETIC_FRICTION],
+          one / larger(parameter[KINETIC_FRICTION], number<R>(1e-20)),
+          V,
+          one / V,
+          one / (parameter[KINETIC_SPEED] - V),
+          parameter[SMOOTH_FRICTION] > number<R>(0.5)};
 }
 
 /// A point of the sheet beside the plate, with what moves it over the step but for the plate.
@@ -44,8 +52,8 @@ PLATEGAIT_HD Ground<R> ground_at(const PlatePose<R>& plate, const PlatePose<R>& 
 
 template <class R>
 struct Touch {
-  R normal;        // N
-  Vec3<R> drag;    // against the slip, N
+  R normal;      // N
+  Vec3<R> drag;  // against the slip, N
 };
 
 /// Force of the plate on a point `reach` below where it starts to touch, with `share` of a node's contact.
@@ -80,15 +88,18 @@ PLATEGAIT_HD Touch<R> touch_plate(const Surface<R>& surface, const Features& fea
   const Mask<R> stops = lost * lost > end_squared;
   // Where the slip turns within the step, no more than turns it round: friction never drives.
   const R turned = smaller(lost, number<R>(2) * speed);
-  const R along_end = select(stops, per_speed, zero), along_mid = select(stops, zero, per_speed * turned * inverse_speed);
+  const R along_end = select(stops, per_speed, zero);
+  const R along_mid = select(stops, zero, per_speed * turned * inverse_speed);
   return {force, along_end * end_slip + along_mid * mid_slip};
 }
 
 /// Work of a touch over the step, J, by the velocity midway that it leads to.
 template <class R>
-PLATEGAIT_HD void tally_touch(const Touch<R>& touch, const Point<R>& point, const Ground<R>& ground, R dt, Tally<R>& tally) {
+PLATEGAIT_HD void tally_touch(const Touch<R>& touch, const Point<R>& point, const Ground<R>& ground, R dt,
+                              Tally<R>& tally) {
   const Vec3<R> force = touch.normal * ground.normal - touch.drag;
-  const Vec3<R> u = point.velocity + (number<R>(0.5) * dt) * (point.acceleration + point.inverse_mass * force) - ground.now;
+  const Vec3<R> u =
+      point.velocity + (number<R>(0.5) * dt) * (point.acceleration + point.inverse_mass * force) - ground.now;
   tally.contact_work -= dt * touch.normal * dot(u, ground.normal);
   tally.friction_loss += dt * dot(touch.drag, u);
   tally.plate_work += dt * dot(force, ground.now);
