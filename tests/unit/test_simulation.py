@@ -25,6 +25,7 @@ from plategait.simulation.dataset import dataset_of, write_dataset
 from plategait.simulation.energy import EnergyLedger
 from plategait.simulation.observables import BLOCKS, Failure, SpinRate, spin_rate
 from plategait.simulation.observation import Observation
+from plategait.simulation.registry import all_observables
 from plategait.simulation.result import Simulation
 from plategait.simulation.run import START_SPREAD, START_TURN, simulate, simulate_all, starts
 
@@ -128,7 +129,7 @@ def test_no_scenario_is_refused():
 def made(spins: list[SpinRate], failures: list[Failure | None] | None = None) -> Simulation:
     ledger = EnergyLedger(0, 0, 0, 0, 0, 0, 0, 0, given=1.0, largest_gap=0.0)
     observations = tuple(
-        Observation(spin, "walking", failure, 0.001, 0.5, 0.1, 0.2, 0.01, ledger)
+        Observation(spin, "walking", failure, ledger, dict.fromkeys(all_observables(), 0.0))
         for spin, failure in zip(spins, failures or [None] * len(spins), strict=True)
     )
     recordings = simulate(SHORT.replace(duration=0.01)).recordings * len(spins)
@@ -192,7 +193,13 @@ def test_a_ledger_that_does_not_close_is_not_averaged_away():
     simulation = made([SpinRate(2.0, 1.9, 2.1, True)] * 3)
     wrong = EnergyLedger(0, 0, 0, 0, 0, 0, 0, 0, given=1.0, largest_gap=0.5)
     first, *others = simulation.observations
-    simulation = replace(simulation, observations=(replace(first, energy=wrong), *others))
+    simulation = replace(
+        simulation,
+        observations=(
+            replace(first, energy=wrong, values={**first.values, "energy_imbalance": wrong.imbalance}),
+            *others,
+        ),
+    )
     assert not simulation.sound
     assert not simulation.failed
     summary = simulation.summary()
