@@ -17,7 +17,7 @@ from statistics import median
 import numpy as np
 
 from plategait.engine import cpu
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.model.outline import Disk
 from plategait.model.presets import preset
 
@@ -26,11 +26,11 @@ TARGET = 300.0  # simulated seconds per second, two AVX-512 cores, 64 runs of 52
 AIM = 600.0
 
 
-def batch(n_runs: int = 64, duration: float = 4.0) -> list[Run]:
+def batch(n_runs: int = 64, duration: float = 4.0) -> list[RunRequest]:
     """Runs of the 52-node disk that all differ."""
     cheese = preset("cheese").scenario
     return [
-        Run(
+        RunRequest(
             cheese.replace(
                 **{
                     "duration": duration,
@@ -44,7 +44,7 @@ def batch(n_runs: int = 64, duration: float = 4.0) -> list[Run]:
     ]
 
 
-def simulated_per_second(runs: list[Run], **options) -> float:
+def simulated_per_second(runs: list[RunRequest], **options) -> float:
     """Simulated seconds per second of wall time, the packing in Python included."""
     begun = time.perf_counter()
     recordings = cpu.run(runs, **options)
@@ -85,9 +85,9 @@ def scaling() -> dict[int, float]:
         n = sheet.lattice.n_nodes
         steps = max(100, 400_000 // n)
         scenario = cheese.replace(sheet=sheet, duration=steps * 1e-4, time_step=1e-4)
-        runs = [Run(scenario.replace(**{"motion.frequency": 10.0 + i})) for i in range(16)]
+        runs = [RunRequest(scenario.replace(**{"motion.frequency": 10.0 + i})) for i in range(16)]
 
-        def cost(runs: list[Run] = runs, n: int = n, steps: int = steps) -> float:
+        def cost(runs: list[RunRequest] = runs, n: int = n, steps: int = steps) -> float:
             cpu.run(runs[:1], threads=1)  # the lattice's tables are made once
             begun = time.perf_counter()
             cpu.run(runs, threads=1)

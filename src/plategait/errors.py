@@ -10,9 +10,9 @@ def printable(text: str, most: int = MOST_LETTERS) -> str:
     """Text of one line that a terminal shows as it stands: control characters as escapes, cut in its middle."""
     # Escaped text is never shorter: what is cut from it may be cut before it is made.
     half = most // 2
-    kept = text if len(text) <= most else f"{text[:half]} … {text[-half:]}"
-    shown = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in kept)
-    return shown if len(shown) <= 2 * most else f"{shown[:half]} … {shown[-half:]}"
+    shortened = text if len(text) <= most else f"{text[:half]} … {text[-half:]}"
+    visible = "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in shortened)
+    return visible if len(visible) <= 2 * most else f"{visible[:half]} … {visible[-half:]}"
 
 
 class InputError(ValueError):

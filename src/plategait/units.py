@@ -112,8 +112,8 @@ def parse(text: str, unit: str) -> float:
     match = _NUMBER.fullmatch(text.strip())
     if match is None:
         raise ValueError(f"{text!r} does not begin with a number")
-    number, given = match.groups()
-    return float(number) * (_factor(given, unit) if given else 1.0)
+    number, own_unit = match.groups()
+    return float(number) * (_factor(own_unit, unit) if own_unit else 1.0)
 
 
 def show(value: float, unit: str, display: str) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from plategait.engine import cpu
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.model.motion import Samples
 from plategait.model.outline import Rectangle
 from plategait.model.presets import preset
@@ -22,7 +22,7 @@ SHAKES = [
 ]
 
 
-def mixed_runs() -> list[Run]:
+def mixed_runs() -> list[RunRequest]:
     """Runs that differ in everything, lattices, steps, torsion and sampled trajectories among it."""
     runs = []
     for i in range(37):
@@ -40,7 +40,7 @@ def mixed_runs() -> list[Run]:
             scenario = scenario.replace(**{"motion.samples": SHAKES[i % 3]})
         if i % 5 == 0:
             scenario = scenario.replace(**{"sheet.outline": Rectangle(length=0.05, width=0.03), "sheet.mass": 4e-3})
-        runs.append(Run(scenario, offset=(1e-4 * i, 0.0, 0.01 * i)))
+        runs.append(RunRequest(scenario, offset=(1e-4 * i, 0.0, 0.01 * i)))
     return runs
 
 
@@ -68,7 +68,9 @@ def test_threads_and_grouping_do_not_change_a_bit(precision):
 def test_a_diverging_neighbour_changes_nothing():
     runs = mixed_runs()[:8]
     hot = runs[3].start()
-    wild = Run(runs[3].scenario, initial=(hot[0], hot[1] + np.random.default_rng(0).normal(0, 1e5, hot[1].shape)))
+    wild = RunRequest(
+        runs[3].scenario, initial=(hot[0], hot[1] + np.random.default_rng(0).normal(0, 1e5, hot[1].shape))
+    )
     spoiled = cpu.run([*runs[:3], wild, *runs[4:]])
     assert spoiled[3].diverged
     assert_same(cpu.run([*runs[:3], *runs[4:]]), [*spoiled[:3], *spoiled[4:]])
@@ -77,7 +79,7 @@ def test_a_diverging_neighbour_changes_nothing():
 @pytest.mark.parametrize("precision", ["float32", "float64"])
 def test_instruction_sets_agree(precision):
     # Before chaos sets in: round-off grows by the stretch of a few plate periods.
-    runs = [Run(CHEESE.replace(**{"motion.frequency": f})) for f in (12.0, 18.0, 24.0)]
+    runs = [RunRequest(CHEESE.replace(**{"motion.frequency": f})) for f in (12.0, 18.0, 24.0)]
     reference = cpu.run(runs, precision, instruction_set="baseline")
     tolerance = 2e-3 if precision == "float32" else 1e-9
     for level in cpu.instruction_sets():
@@ -88,7 +90,7 @@ def test_instruction_sets_agree(precision):
 
 def test_single_and_double_precision_agree():
     # The rotation after 0.4 s of 18 Hz, some 60 deg: single precision is within a tenth of a degree.
-    run = [Run(CHEESE.replace(**{"motion.frequency": 18.0}))]
+    run = [RunRequest(CHEESE.replace(**{"motion.frequency": 18.0}))]
     single, double = (cpu.run(run, precision)[0] for precision in ("float32", "float64"))
     angles = [rotation(r["spin_cross"], r["spin_dot"])[-1] for r in (single, double)]
     assert abs(angles[1]) > math.radians(10)

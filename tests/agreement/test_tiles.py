@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.engine.tile_runs import run, tile_model
 from plategait.engine.tiles import stable_step, tile_modes
 from plategait.errors import InputError
@@ -32,7 +32,7 @@ def test_modes_agree(name, torsion):
     # Two discretisations of one plate: 88 edge hinges with all rotary inertia against 72 node hinges without, torsion
     # free or as stiff as bending. Their difference is of the order of (l/R)²: 4 % measured.
     sheet = CHEESE.sheet.replace(torsion_stiffness=torsion * CHEESE.sheet.bending_stiffness)
-    model = replace(tile_model([Run(CHEESE.replace(sheet=sheet))]), rotary_inertia=1.0)
+    model = replace(tile_model([RunRequest(CHEESE.replace(sheet=sheet))]), rotary_inertia=1.0)
     frequency, shapes = tile_modes(model)
     mode = getattr(sheet.free_modes, name)
     alike = np.abs(shapes @ mode.shape) / np.linalg.norm(shapes, axis=1).clip(1e-9) / np.linalg.norm(mode.shape)
@@ -74,7 +74,7 @@ def test_tiles_conserve_what_joints_must():
     at = np.column_stack([LATTICE.rest * CHEESE.sheet.pitch, np.ones(52)]) + rng.normal(0, 2e-4, (52, 3))
     changes = {"sheet.torsion_stiffness": 1e-4, "motion.angle": 0.0, "motion.stroke": 0.0, "gravity": 1e-12}
     scenario = SHORT.replace(**changes)
-    (recording,) = run([Run(scenario, initial=(at, np.zeros_like(at)))])
+    (recording,) = run([RunRequest(scenario, initial=(at, np.zeros_like(at)))])
     for axis in "xyz":
         np.testing.assert_allclose(np.ptp(recording[f"centre_{axis}"]), 0, atol=1e-12)
     assert not recording.diverged
@@ -87,7 +87,7 @@ def test_tiles_conserve_what_joints_must():
 def test_runs_of_any_kind_come_back_in_their_order():
     # Other sheets, steps, samples and lengths; to rounding the same as each by itself.
     others = [preset("pancake").scenario.replace(duration=0.01), SHORT.replace(**{"motion.frequency": 40.0}), SHORT]
-    runs = [Run(s, offset=(1e-4, 0, 0.02), snapshot_interval=5e-3) for s in others]
+    runs = [RunRequest(s, offset=(1e-4, 0, 0.02), snapshot_interval=5e-3) for s in others]
     together = run(runs)
     for one, recording in zip(runs, together, strict=True):
         (alone,) = run([one])
@@ -100,9 +100,11 @@ def test_runs_of_any_kind_come_back_in_their_order():
 @pytest.mark.parametrize("name", ["cheese", "cheese-as-printed", "pancake", "rigid-twin", "dumpling-skin"])
 def test_the_stable_step_is_the_longest_at_which_a_sheet_comes_to_rest(name):
     scenario = preset(name).scenario
-    model = tile_model([Run(scenario)])
+    model = tile_model([RunRequest(scenario)])
     # Stiffness and damping that grow shorten it; the shear penalty of 8 k_c leaves it far below the lattice's own.
-    stiffer = tile_model([Run(scenario.replace(**{"sheet.axial_stiffness": 4 * scenario.sheet.axial_stiffness}))])
+    stiffer = tile_model(
+        [RunRequest(scenario.replace(**{"sheet.axial_stiffness": 4 * scenario.sheet.axial_stiffness}))]
+    )
     assert stable_step(stiffer) < stable_step(model) < scenario.sheet.stable_time_step
 
 
@@ -122,4 +124,4 @@ def test_what_tiles_cannot_do_is_refused(change, field):
 
 def test_held_nodes_are_refused():
     with pytest.raises(InputError, match="held"):
-        run([Run(SHORT, held=np.arange(52) < 4)])
+        run([RunRequest(SHORT, held=np.arange(52) < 4)])

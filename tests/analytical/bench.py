@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from plategait.engine import cpu
-from plategait.engine.recording import Recording, Run
+from plategait.engine.recording import Recording, RunRequest
 from plategait.model.contact import Contact, Friction
 from plategait.model.motion import PlateMotion
 from plategait.model.outline import Rectangle
@@ -54,7 +54,7 @@ def run(
         positions = np.asarray(positions, dtype=float)
         start = (positions, np.zeros_like(positions) if velocities is None else np.asarray(velocities, dtype=float))
     interval = dt if snapshots else 0.0
-    return cpu.run([Run(scenario, initial=start, held=held, snapshot_interval=interval)], "float64")[0]
+    return cpu.run([RunRequest(scenario, initial=start, held=held, snapshot_interval=interval)], "float64")[0]
 
 
 def flat(sheet: Sheet, height: float = 0.0) -> np.ndarray:

@@ -9,7 +9,7 @@ import pytest
 from bench import STILL, flat, run, strip
 
 from plategait.engine import cpu
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.model.contact import Contact, Friction
 from plategait.model.motion import PlateMotion, Wave
 from plategait.model.presets import preset
@@ -149,7 +149,7 @@ def test_no_energy_is_made_at_the_edge():
         centre = [*generator.uniform(-0.09, 0.09, 2), generator.uniform(-0.05, 0.08)]
         centre[2] = max(centre[2], 0.045) if max(np.abs(centre[:2])) < 0.05 else centre[2]
         velocity = generator.normal(0, 0.4, 3)
-        runs.append(Run(scenario, initial=(flat_sheet @ turn + centre, np.tile(velocity, (len(rest), 1)))))
+        runs.append(RunRequest(scenario, initial=(flat_sheet @ turn + centre, np.tile(velocity, (len(rest), 1)))))
     touched = 0
     for case, recording in zip(runs, cpu.run(runs, "float64"), strict=True):
         ledger = observe(case.scenario, recording).energy

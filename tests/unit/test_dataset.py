@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.errors import InputError
 from plategait.model.presets import preset
 from plategait.simulation import dataset
@@ -19,7 +19,7 @@ SHORT = preset("cheese").scenario.replace(duration="0.3 s")
 def test_the_size_is_known_before_the_run(interval, tmp_path):
     simulation = simulate(SHORT, repeats=2, snapshot_interval=interval)
     data = dataset_of(simulation)
-    told = 2 * dataset.dataset_bytes(Run(SHORT, snapshot_interval=interval))
+    told = 2 * dataset.dataset_bytes(RunRequest(SHORT, snapshot_interval=interval))
     # Beside the arrays that are told there are coordinates, of a few numbers for each sample.
     assert told <= data.nbytes <= 1.1 * told
     dataset.write_dataset(simulation, tmp_path / "run.nc")
@@ -33,7 +33,7 @@ def test_shapes_are_kept_in_the_precision_that_they_have():
 
 @pytest.mark.parametrize(("what", "free"), [("memory", 1e6), ("disk", 1e5)])
 def test_what_does_not_fit_is_refused_with_a_duration_that_does(what, free, tmp_path, monkeypatch):
-    run = Run(SHORT, snapshot_interval=FILM_INTERVAL)
+    run = RunRequest(SHORT, snapshot_interval=FILM_INTERVAL)
     if what == "memory":
         monkeypatch.setattr(dataset, "available_memory", lambda: free)
     else:
@@ -41,4 +41,6 @@ def test_what_does_not_fit_is_refused_with_a_duration_that_does(what, free, tmp_
     with pytest.raises(InputError, match=f"of {what}") as caught:
         dataset.check_room(run, 5, tmp_path / "run.nc")
     shorter = caught.value.hint.split('"')[1]
-    dataset.check_room(Run(SHORT.replace(duration=shorter), snapshot_interval=FILM_INTERVAL), 5, tmp_path / "run.nc")
+    dataset.check_room(
+        RunRequest(SHORT.replace(duration=shorter), snapshot_interval=FILM_INTERVAL), 5, tmp_path / "run.nc"
+    )

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from plategait.engine import cpu, memory
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.engine.trajectories import table_bytes, tables
 from plategait.errors import InputError
 from plategait.model.motion import PlateMotion, Samples
@@ -48,22 +48,22 @@ def wave(rate: float, end: float) -> Samples:
 
 def test_a_trajectory_is_tabulated_to_the_end_of_the_run_only():
     scenario = along(wave(1000, 300.0))
-    knots, first, count = tables([Run(scenario)])
+    knots, first, count = tables([RunRequest(scenario)])
     assert first.tolist() == [0]
     # 0.1 s at half a sample's step of 1 ms, and the knot past the end.
     assert 201 <= len(knots) == count[0] <= 203
-    assert table_bytes([Run(scenario)]) < 100_000
+    assert table_bytes([RunRequest(scenario)]) < 100_000
 
 
 def test_a_last_sample_far_away_is_no_burden():
     far = Samples(time=(0.0, 1e-3, 2e-3, 36000.0), x=(0.0, 1e-4, 2e-4, 0.0))
-    recording = cpu.run([Run(along(far))])[0]
+    recording = cpu.run([RunRequest(along(far))])[0]
     assert not recording.diverged
-    assert len(tables([Run(along(far))])[0]) < 210
+    assert len(tables([RunRequest(along(far))])[0]) < 210
 
 
 def test_runs_on_equal_trajectories_share_one_table():
-    runs = [Run(along(wave(1000, 1.0), duration=0.1 + 0.01 * (i % 3))) for i in range(12)]
+    runs = [RunRequest(along(wave(1000, 1.0), duration=0.1 + 0.01 * (i % 3))) for i in range(12)]
     knots, first, count = tables(runs)
     assert set(first.tolist()) == {0}
     assert set(count.tolist()) == {len(knots)}
@@ -71,7 +71,12 @@ def test_runs_on_equal_trajectories_share_one_table():
 
 
 def test_runs_without_a_trajectory_stand_among_those_with_one():
-    runs = [Run(ONE_NODE), Run(along(wave(1000, 1.0))), Run(along(wave(500, 1.0))), Run(ONE_NODE)]
+    runs = [
+        RunRequest(ONE_NODE),
+        RunRequest(along(wave(1000, 1.0))),
+        RunRequest(along(wave(500, 1.0))),
+        RunRequest(ONE_NODE),
+    ]
     knots, first, count = tables(runs)
     assert len(set(first.tolist())) == 3
     assert (first + count).max() == len(knots)
@@ -84,7 +89,7 @@ def test_runs_without_a_trajectory_stand_among_those_with_one():
 
 @pytest.mark.parametrize("precision", ["float32", "float64"])
 def test_the_plate_is_where_the_samples_say_however_late(precision):
-    recording = cpu.run([Run(along(wave(1000, 20.0), duration=20.0))], precision)[0]
+    recording = cpu.run([RunRequest(along(wave(1000, 20.0), duration=20.0))], precision)[0]
     t = recording["time"]
     late = t > 19
     # A spline of 100 points a period is off by 1e-9 m; a step rounded to single precision in the core, but not in the
@@ -94,7 +99,7 @@ def test_the_plate_is_where_the_samples_say_however_late(precision):
 
 def test_past_the_last_sample_the_plate_stays():
     ends = Samples(time=(0.0, 0.01, 0.02, 0.03), z=(0.0, 1e-3, 2e-3, 5e-3))
-    recording = cpu.run([Run(along(ends)), Run(along(wave(1000, 1.0)))])[0]
+    recording = cpu.run([RunRequest(along(ends)), RunRequest(along(wave(1000, 1.0)))])[0]
     after = recording["time"] > 0.04
     np.testing.assert_allclose(recording["plate_z"][after], 5e-3, rtol=1e-6)
 
@@ -146,14 +151,14 @@ LIMITED = """
 import resource, sys
 import numpy as np
 from plategait.engine import cpu, memory
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.model.presets import preset
 
 def leave(room):
     taken = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (taken + room, resource.RLIM_INFINITY))
 
-runs = [Run(preset("cheese").scenario.replace(duration=0.02)) for _ in range(64)]
+runs = [RunRequest(preset("cheese").scenario.replace(duration=0.02)) for _ in range(64)]
 alone = cpu.run(runs, threads=1, instruction_set="baseline")
 """
 
@@ -266,6 +271,6 @@ def test_more_steps_than_can_be_taken_are_refused_where_they_come_from(changes, 
 
 def test_a_run_shorter_than_the_stride_is_sampled_at_its_end():
     scenario = ONE_NODE.replace(duration=1e-20, time_step=1e-23)
-    recording = cpu.run([Run(scenario)])[0]
+    recording = cpu.run([RunRequest(scenario)])[0]
     assert recording["time"].tolist() == [0.0, pytest.approx(1e-20)]
-    assert Run(scenario, snapshot_interval=1e30).pictures == 1
+    assert RunRequest(scenario, snapshot_interval=1e30).pictures == 1

@@ -11,13 +11,16 @@ from plategait.campaign.plan import Sweep
 from plategait.engine import engines
 from plategait.engine.channels import CHANNELS
 from plategait.engine.engines import ENGINES, Engine, Row
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.errors import InputError
 from plategait.model.presets import preset
 from plategait.simulation.run import simulate
 
 SHORT = preset("cheese").scenario.replace(duration=0.03)
-RUNS = [Run(SHORT, offset=(1e-4, 0.0, 0.1), snapshot_interval=0.01), Run(SHORT.replace(**{"motion.frequency": 40.0}))]
+RUNS = [
+    RunRequest(SHORT, offset=(1e-4, 0.0, 0.1), snapshot_interval=0.01),
+    RunRequest(SHORT.replace(**{"motion.frequency": 40.0})),
+]
 
 
 def test_every_name_has_a_row():
@@ -49,7 +52,7 @@ def test_what_progress_raises_stops_an_engine(name):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        ENGINES[name].load()([Run(SHORT.replace(duration=1000.0))], progress=stop)
+        ENGINES[name].load()([RunRequest(SHORT.replace(duration=1000.0))], progress=stop)
 
 
 @pytest.mark.parametrize("name", ENGINES)

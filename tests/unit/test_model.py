@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from plategait.engine import cpu
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.errors import InputError
 from plategait.model.contact import Contact, Friction
 from plategait.model.motion import PlateMotion, Samples, Wave, read_samples
@@ -388,7 +388,7 @@ def thrown(sheet: Sheet, factor: float, precision, monkeypatch):
     rng = np.random.default_rng(3)
     rest = sheet.lattice.rest * sheet.pitch
     positions = np.column_stack([rest, np.ones(len(rest))]) + rng.normal(0, 1e-6 * sheet.pitch, (len(rest), 3))
-    return cpu.run([Run(scenario, initial=(positions, np.zeros_like(positions)))], precision)[0]
+    return cpu.run([RunRequest(scenario, initial=(positions, np.zeros_like(positions)))], precision)[0]
 
 
 @pytest.mark.parametrize("name", EDGES)

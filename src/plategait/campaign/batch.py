@@ -78,21 +78,21 @@ def variables(sweep: Sweep, points: Sequence[Point]) -> tuple[Variable, ...]:
     scenarios = [sweep.at(point) for point in points]
     record, duration = sweep.record, max(s.duration for s in scenarios)
     real = engine(sweep.engine).precision
-    found = list(SUMMARY)
-    found += [Variable(o.name, "float64", o.long_name, o.unit) for o in all_observables().values()]
+    arrays = list(SUMMARY)
+    arrays += [Variable(o.name, "float64", o.long_name, o.unit) for o in all_observables().values()]
     samples = {"time": sample_count(duration, record.interval)}
     series = [SERIES[name] for name in record.channels]
-    found += [Variable(f"series_{c.name}", real, c.long_name, c.unit, inner=samples) for c in series]
+    arrays += [Variable(f"series_{c.name}", real, c.long_name, c.unit, inner=samples) for c in series]
     if record.snapshots is not None:
         nodes = {s.sheet.lattice.n_nodes for s in scenarios}
         if len(nodes) > 1:
             raise InputError("record.snapshots", f"sheets of {min(nodes)} to {max(nodes)} nodes",
                              "of one lattice at every point", "leaving snapshots out")  # fmt: skip
         shots = {"snapshot": sample_count(duration, record.snapshots)}
-        found.append(Variable("snapshot_time", "float64", "time of the snapshot", "s", shots))
+        arrays.append(Variable("snapshot_time", "float64", "time of the snapshot", "s", shots))
         shape = {**shots, "node": nodes.pop(), "axis": 3}
-        found.append(Variable("position", "float32", "node position, world frame", "m", shape))
-    return (*found, STATUS)
+        arrays.append(Variable("position", "float32", "node position, world frame", "m", shape))
+    return (*arrays, STATUS)
 
 
 def run_batch(

@@ -47,7 +47,7 @@ def fingerprint_of(attributes: Mapping[str, Any]) -> str:
     return hash_of({name: attributes[name] for name in _PARTS} | {"sweep_hash": hash_of(attributes["sweep"])})
 
 
-def check_identity(path: object, found: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
+def check_identity(path: object, attributes: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
     """Refuse a store of anything else.
 
     Raises
@@ -55,12 +55,12 @@ def check_identity(path: object, found: Mapping[str, Any], wanted: Mapping[str, 
     InputError
         That says in what the two differ.
     """
-    if found.get("fingerprint") == wanted["fingerprint"]:
+    if attributes.get("fingerprint") == wanted["fingerprint"]:
         return
     names = {"sweep_hash": "sweep or scenario", "points_hash": "picture, or way to lay out sheets and samples"}
-    differ = [name for name in _PARTS if found.get(name) != wanted[name]]
+    differ = [name for name in _PARTS if attributes.get(name) != wanted[name]]
     said = "; ".join(
-        f"another {names[name]}" if name in names else f"{name} {found.get(name)}, not {wanted[name]}"
+        f"another {names[name]}" if name in names else f"{name} {attributes.get(name)}, not {wanted[name]}"
         for name in differ or ["fingerprint"]
     )
     raise InputError("store", f"{path} with {said}", "a store of this very sweep, by the same plategait and machine",

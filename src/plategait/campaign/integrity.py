@@ -85,9 +85,9 @@ def _is_elsewhere(path: Path) -> bool:
 
 def _alike(path: Path, wanted: dict[str, Any]) -> bool:
     try:
-        found = json.loads(plain_bytes(path, LARGEST_ROOT, links=False))
-        length = found["shape"][0]
-        found["shape"][0] = wanted["shape"][0]
-        return found == wanted and length >= wanted["shape"][0]
+        metadata = json.loads(plain_bytes(path, LARGEST_ROOT, links=False))
+        length = metadata["shape"][0]
+        metadata["shape"][0] = wanted["shape"][0]
+        return metadata == wanted and length >= wanted["shape"][0]
     except (UnreadableError, ValueError, LookupError, TypeError, RecursionError):
         return False

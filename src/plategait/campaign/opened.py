@@ -141,15 +141,15 @@ class Campaign:
         }
         if not self.done.any() or self.said:
             return numbers
-        shown = self.outcomes
-        height = np.where(shown.failed | ~np.isfinite(shown.rate), -1.0, np.abs(shown.rate))
+        points = self.outcomes
+        height = np.where(points.failed | ~np.isfinite(points.rate), -1.0, np.abs(points.rate))
         best = int(height.argmax())
-        numbers["failed_points"] = int(shown.failed.sum())
-        numbers["partly_failed_points"] = int(shown.partly_failed.sum())
+        numbers["failed_points"] = int(points.failed.sum())
+        numbers["partly_failed_points"] = int(points.partly_failed.sum())
         numbers["open_ledgers"] = int((~self.data["energy_closed"].values).sum())
-        numbers["gaits"] = {g or "none": shown.gait.count(g) for g in dict.fromkeys(shown.gait)}
+        numbers["gaits"] = {g or "none": points.gait.count(g) for g in dict.fromkeys(points.gait)}
         if height[best] >= 0:
-            numbers["fastest"] = {"spin_rate_rad_s": float(shown.rate[best]), "at": self.points[best]}
+            numbers["fastest"] = {"spin_rate_rad_s": float(points.rate[best]), "at": self.points[best]}
         return numbers
 
 

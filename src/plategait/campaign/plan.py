@@ -103,12 +103,12 @@ class Sweep(Model):
         ranges: dict[str, tuple[float, float]] = {}
         if self.sample is None:
             return ranges
-        for name, given in _flat(self.sample.ranges, "sample.ranges").items():
+        for name, values in _flat(self.sample.ranges, "sample.ranges").items():
             parameter = find_parameter(name, self.scenario)
-            ends = read_values(parameter, given)
+            ends = read_values(parameter, values)
             if parameter.quantity is None or len(ends) != 2 or not ends[0] < ends[1]:  # type: ignore[operator]
                 hint = f"[{parameter.example}, twice as much]"
-                raise InputError(f"sample.ranges.{name}", given, "two numbers that rise", hint)
+                raise InputError(f"sample.ranges.{name}", values, "two numbers that rise", hint)
             ranges[name] = (float(ends[0]), float(ends[1]))
         if not ranges:
             raise InputError("sample.ranges", "nothing", "at least one range", '"motion.frequency" = ["9 Hz", "30 Hz"]')
@@ -153,20 +153,20 @@ def read_sweep(path: Path | str) -> Sweep:
     """
     path = Path(path)
     data, _ = read_toml(path, "sweep", "a sweep file", EXAMPLE)
-    given = data.get("scenario")
-    if isinstance(given, str) and given not in PRESETS:
-        data["scenario"] = read_scenario(path.parent / given)
+    scenario = data.get("scenario")
+    if isinstance(scenario, str) and scenario not in PRESETS:
+        data["scenario"] = read_scenario(path.parent / scenario)
     return Sweep(**{"name": path.stem} | data)
 
 
-def _scenario(given: Any) -> Scenario:
+def _scenario(scenario: Any) -> Scenario:
     """Scenario of a table, or whatever else tells one."""
-    if isinstance(given, Mapping):
+    if isinstance(scenario, Mapping):
         try:
-            return Scenario(**given)
+            return Scenario(**scenario)
         except InputError as error:
             raise InputError(f"scenario.{error.field}", error.got, error.allowed, error.hint) from None
-    return as_scenario(given)
+    return as_scenario(scenario)
 
 
 def _flat(table: Any, field: str) -> dict[str, Any]:

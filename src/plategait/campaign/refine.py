@@ -33,14 +33,14 @@ def refined_parameter(sweep: Sweep) -> str:
 
 def curves(points: Sequence[Point], along: str) -> dict[tuple[object, ...], list[int]]:
     """Indices of the points of each curve, in order of the parameter along it."""
-    found: dict[tuple[object, ...], list[int]] = {}
+    members_by_key: dict[tuple[object, ...], list[int]] = {}
     for i, point in enumerate(points):
         key = tuple(value for name, value in point.items() if name != along)
-        found.setdefault(key, []).append(i)
-    return {key: sorted(members, key=lambda i: float(points[i][along])) for key, members in found.items()}
+        members_by_key.setdefault(key, []).append(i)
+    return {key: sorted(members, key=lambda i: float(points[i][along])) for key, members in members_by_key.items()}
 
 
-def propose(sweep: Sweep, points: Sequence[Point], shown: Ensemble) -> list[Point]:
+def propose(sweep: Sweep, points: Sequence[Point], outcomes: Ensemble) -> list[Point]:
     """Next points, most telling first; none when nothing is left to part.
 
     Depends on nothing but the points so far and what they showed, so that a campaign that is resumed goes the same way.
@@ -52,18 +52,18 @@ def propose(sweep: Sweep, points: Sequence[Point], shown: Ensemble) -> list[Poin
         if len(x) < 2 or x[-1] == x[0]:
             continue
         width = np.diff(x) / (x[-1] - x[0])
-        for gap in _telling(members, shown):
+        for gap in _telling(members, outcomes):
             if width[gap] > FINEST:
                 middle = float(0.5 * (x[gap] + x[gap + 1]))
                 wanted.append((-float(width[gap]), number, middle, points[members[gap]] | {along: middle}))
     return [point for *_, point in sorted(wanted, key=lambda w: w[:3])]
 
 
-def _telling(members: Sequence[int], shown: Ensemble) -> list[int]:
+def _telling(members: Sequence[int], outcomes: Ensemble) -> list[int]:
     """Gaps of a curve, by their left end, that part different outcomes or lie beside the peak."""
-    kinds = [(bool(shown.failed[i]), "" if shown.failed[i] else shown.gait[i]) for i in members]
+    kinds = [(bool(outcomes.failed[i]), "" if outcomes.failed[i] else outcomes.gait[i]) for i in members]
     gaps = {k for k in range(len(members) - 1) if kinds[k] != kinds[k + 1]}
-    height = np.array([0.0 if shown.failed[i] else abs(shown.rate[i]) for i in members])
+    height = np.array([0.0 if outcomes.failed[i] else abs(outcomes.rate[i]) for i in members])
     height = np.where(np.isfinite(height), height, 0.0)
     if height.max() > 0:
         peak = int(height.argmax())

@@ -60,16 +60,16 @@ def sweep(
     InputError
         For a plan or store that is not as it must be.
     """
-    chosen = plan if isinstance(plan, Sweep) else Sweep(**plan) if isinstance(plan, Mapping) else read_sweep(plan)
+    sweep_plan = plan if isinstance(plan, Sweep) else Sweep(**plan) if isinstance(plan, Mapping) else read_sweep(plan)
     if isinstance(refine, bool) or not isinstance(refine, int) or not 0 <= refine <= 10**6:
         raise InputError("refine", refine, "a whole number from 0 to a million", "20")
     if refine:
-        refined_parameter(chosen)
+        refined_parameter(sweep_plan)
     path, client = Path(store), None
     try:
         client = connect(dask) if dask is not None else None
-        with open_to_write(path, chosen, batch_size(chosen), repair) as (opened, points):
-            _Running(chosen, opened, points, client, threads, progress).run(refine)
+        with open_to_write(path, sweep_plan, batch_size(sweep_plan), repair) as (opened, points):
+            _Running(sweep_plan, opened, points, client, threads, progress).run(refine)
     finally:
         if client is not None and client is not dask:
             client.close()

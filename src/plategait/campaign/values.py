@@ -11,7 +11,7 @@ from plategait.model.parameters import Parameter, Value
 MOST_VALUES = 1_000_000
 
 
-def read_values(parameter: Parameter, given: object) -> tuple[Value, ...]:
+def read_values(parameter: Parameter, written: object) -> tuple[Value, ...]:
     """Read a list of values, a range "12:30:1 Hz", or ``{from = "12 Hz", to = "30 Hz", count = 19}``.
 
     Raises
@@ -19,13 +19,13 @@ def read_values(parameter: Parameter, given: object) -> tuple[Value, ...]:
     InputError
         For anything else, or a value that the parameter cannot have.
     """
-    if isinstance(given, str) and parameter.quantity is not None and given.count(":") == 2:
-        given = _range(parameter, given)
-    elif isinstance(given, Mapping):
-        given = _spread(parameter, given)
-    if isinstance(given, (str, bytes)) or not hasattr(given, "__iter__"):
-        raise InputError(parameter.name, given, "a list of values, or a range", f"[{parameter.example}]")
-    values = tuple(parameter.read(v.item() if hasattr(v, "item") else v) for v in given)  # type: ignore[union-attr]
+    if isinstance(written, str) and parameter.quantity is not None and written.count(":") == 2:
+        written = _range(parameter, written)
+    elif isinstance(written, Mapping):
+        written = _spread(parameter, written)
+    if isinstance(written, (str, bytes)) or not hasattr(written, "__iter__"):
+        raise InputError(parameter.name, written, "a list of values, or a range", f"[{parameter.example}]")
+    values = tuple(parameter.read(v.item() if hasattr(v, "item") else v) for v in written)  # type: ignore[union-attr]
     if not values:
         raise InputError(parameter.name, "nothing in the list", "at least one value", f"[{parameter.example}]")
     return values
@@ -46,15 +46,15 @@ def _range(parameter: Parameter, text: str) -> list[str]:
     return [f"{first + i * step:.12g} {unit}".strip() for i in range(int(count + 1e-6))]
 
 
-def _spread(parameter: Parameter, given: Mapping[str, Any]) -> list[float]:
+def _spread(parameter: Parameter, written: Mapping[str, Any]) -> list[float]:
     import numpy as np
 
     quantity, name = parameter.quantity, parameter.name
     hint = f"{{ from = {parameter.example}, to = {parameter.example}, count = 10 }}"
-    if set(given) != {"from", "to", "count"} or quantity is None:
-        raise InputError(name, dict(given), "from, to and count", hint)
-    count = given["count"]
+    if set(written) != {"from", "to", "count"} or quantity is None:
+        raise InputError(name, dict(written), "from, to and count", hint)
+    count = written["count"]
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_VALUES:
         raise InputError(f"{name}.count", count, "a whole number above 0", "10")
-    first, last = (quantity.read(given[end], f"{name}.{end}") for end in ("from", "to"))
+    first, last = (quantity.read(written[end], f"{name}.{end}") for end in ("from", "to"))
     return [float(v) for v in np.linspace(first, last, count)]

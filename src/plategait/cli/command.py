@@ -74,8 +74,8 @@ def refuse(context: typer.Context, names: Iterable[str], where: str, hint: str) 
     for name in names:
         if _given(context, name):
             got = context.params[name]
-            shown = "nothing it would change" if got is True else str(got) if isinstance(got, Path) else got
-            raise InputError(_spelt(context, name), shown, f"left out {where}", hint)
+            value = "nothing it would change" if got is True else str(got) if isinstance(got, Path) else got
+            raise InputError(_spelt(context, name), value, f"left out {where}", hint)
 
 
 def take_only(context: typer.Context, names: Collection[str], where: str, hint: str) -> None:

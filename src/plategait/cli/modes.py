@@ -22,16 +22,16 @@ def modes(
 ) -> None:
     """Free-vibration modes of a sheet; the dish mode is the dissertation's natural frequency."""
     check_outputs((plot, PICTURES, "--plot"))
-    chosen = options.build(scenario, sheet=sheet, natural_frequency=natural_frequency).sheet
-    found = chosen.free_modes
+    built = options.build(scenario, sheet=sheet, natural_frequency=natural_frequency).sheet
+    free_modes = built.free_modes
     if plot:
         from plategait.plots.figures import plot_modes
         from plategait.plots.style import save
 
-        save(plot_modes(chosen), plot)
+        save(plot_modes(built), plot)
     if not as_json:
-        return report.print_modes(chosen.name, found, count)
+        return report.print_modes(built.name, free_modes, count)
     keys = ("omega", "frequency", "damping_ratio", "name")
     report.print_json(
-        {"sheet": chosen.name, "modes": [{_MODE_KEYS[k]: getattr(m, k) for k in keys} for m in found.modes[:count]]}
+        {"sheet": built.name, "modes": [{_MODE_KEYS[k]: getattr(m, k) for k in keys} for m in free_modes.modes[:count]]}
     )

@@ -83,13 +83,13 @@ def build(
     scenario's parameter, which `Command` turns into the option that was typed.
     """
     scenario = overlay(as_scenario(name), [read_fragment(path) for path in measured or []], generator)
-    told = {
+    motion = {
         "natural_frequency": natural_frequency, "motion.frequency": frequency, "motion.angle": angle,
         "motion.stroke": stroke, "friction.static": mu_s, "friction.kinetic": mu_k, "friction.law": friction_law,
         "duration": duration, "time_step": dt,
     }  # fmt: skip
     changes: dict[str, Any] = {} if sheet is None else {"sheet": as_scenario(sheet, "--sheet").sheet}
-    changes |= {name: find_parameter(name, scenario).read(value) for name, value in told.items() if value is not None}
+    changes |= {name: find_parameter(name, scenario).read(value) for name, value in motion.items() if value is not None}
     if scenario.transient is not None and scenario.transient >= changes.get("duration", math.inf):
         changes["transient"] = None
     return with_values(scenario, kinetic_follows(changes, scenario))

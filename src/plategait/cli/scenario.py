@@ -16,14 +16,16 @@ from plategait.model.scenario_file import write_scenario
 def scenario_command(
     context: typer.Context,
     name: Annotated[str | None, typer.Argument(metavar="[FILE]", help="A scenario file to check.")] = None,
-    shown: Annotated[str | None, typer.Option("--print", help="Print this preset as a commented TOML file.")] = None,
+    preset_name: Annotated[
+        str | None, typer.Option("--print", help="Print this preset as a commented TOML file.")
+    ] = None,
     as_json: options.Json = False,
 ) -> None:
     """List the presets, print one as a commented TOML file, or check a scenario file."""
-    if shown is not None:
-        refuse(context, ["name", "as_json"], "with --print", f"plategait scenario --print {shown}")
-        found = preset(shown)
-        print(f"# {found.summary}\n\n" + write_scenario(found.scenario, found.notes), end="")
+    if preset_name is not None:
+        refuse(context, ["name", "as_json"], "with --print", f"plategait scenario --print {preset_name}")
+        chosen = preset(preset_name)
+        print(f"# {chosen.summary}\n\n" + write_scenario(chosen.scenario, chosen.notes), end="")
     elif name is not None:
         checked = as_scenario(name)
         facts = {

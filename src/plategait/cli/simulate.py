@@ -69,10 +69,10 @@ def simulate(
     )  # fmt: skip
     chosen = build()
     if out:
-        from plategait.engine.recording import Run
+        from plategait.engine.recording import RunRequest
         from plategait.simulation.dataset import check_room
 
-        check_room(Run(chosen, snapshot_interval=simulation.FILM_INTERVAL), repeats, out)
+        check_room(RunRequest(chosen, snapshot_interval=simulation.FILM_INTERVAL), repeats, out)
     with report.progress_bar("simulating") as progress:
         result = simulation.simulate(
             chosen, repeats=repeats, seed=seed, engine=engine, progress=progress,

@@ -62,10 +62,10 @@ class Curve:
     @property
     def failed(self) -> Flags:
         """Which failed: by the rule of `simulation.ensemble` where the runs are known, else those with a failure."""
-        told = np.array([bool(kind) for kind in self.failure], dtype=bool)
+        has_failure = np.array([bool(kind) for kind in self.failure], dtype=bool)
         if self.runs is None or self.failed_runs is None:
-            return told
-        return np.where(np.isfinite(self.runs + self.failed_runs), fails(self.failed_runs, self.runs), told)
+            return has_failure
+        return np.where(np.isfinite(self.runs + self.failed_runs), fails(self.failed_runs, self.runs), has_failure)
 
     @property
     def partly_failed(self) -> Flags:

@@ -29,7 +29,7 @@ _MEASURED = {
 }
 
 
-def as_curve(given: Curve | Path | str, field: str = "curve") -> Curve:
+def as_curve(curve: Curve | Path | str, field: str = "curve") -> Curve:
     """Curve that is meant: itself, or what a CSV file holds.
 
     Raises
@@ -37,11 +37,11 @@ def as_curve(given: Curve | Path | str, field: str = "curve") -> Curve:
     InputError
         For anything else, or when the file is not as it must be.
     """
-    if isinstance(given, Curve):
-        return given
-    if isinstance(given, (str, Path)):
-        return read_curve(given)
-    raise InputError(field, given, "a Curve or the name of its CSV file", '"curve.csv"')
+    if isinstance(curve, Curve):
+        return curve
+    if isinstance(curve, (str, Path)):
+        return read_curve(curve)
+    raise InputError(field, curve, "a Curve or the name of its CSV file", '"curve.csv"')
 
 
 def write_curve(curve: Curve, path: Path | str) -> None:
@@ -95,11 +95,15 @@ def read_curve(path: Path | str) -> Curve:
 
 def _check_runs(runs: NDArray[np.float64], failed: NDArray[np.float64], failure: Sequence[str]) -> None:
     """Refuse numbers of runs that cannot be, or that a failure contradicts."""
-    told = np.array([bool(kind) for kind in failure], dtype=bool)
+    has_failure = np.array([bool(kind) for kind in failure], dtype=bool)
     wrong = (np.isnan(runs) != np.isnan(failed)) | (failed > runs) | (runs % 1 > 0) | (failed % 1 > 0)
     for field, odd, allowed in (
         ("failed_runs", wrong, "whole, at most the runs of the point, and given where they are"),
-        ("failure", np.isfinite(failed) & (told != (failed > 0)), "told where failed_runs is above 0, and only there"),
+        (
+            "failure",
+            np.isfinite(failed) & (has_failure != (failed > 0)),
+            "told where failed_runs is above 0, and only there",
+        ),
     ):
         if odd.any():
             i = int(np.argmax(odd))

@@ -172,7 +172,7 @@ def fit_lorentzian(
         raise _no_peak(f, y, fault, f0)
     if curve.has_rival(cost, ends_in_failure):
         raise _no_peak(f, y, "a curve that a straight line or an exponential fits better")
-    threshold, given = _threshold(cost, len(f) - 3, sd is not None, confidence)
+    threshold, sd_holds = _threshold(cost, len(f) - 3, sd is not None, confidence)
     bounds, method = curve.intervals(best, cost, threshold)
     peaks, centres, widths = ((float(min(ends)), float(max(ends))) for ends in curve.in_units(bounds))
     if fault := _unbounded(f, peaks, centres, widths, ends_in_failure):
@@ -188,7 +188,7 @@ def fit_lorentzian(
         f0_interval=centres,
         half_width_interval=widths,
         interval_method=method,
-        scatter="given" if given else "residual",
+        scatter="given" if sd_holds else "residual",
     )
 
 
@@ -224,11 +224,11 @@ def _checked(
     return f, y, sds
 
 
-def _threshold(cost: float, dof: int, known: bool, confidence: float) -> tuple[float, bool]:
+def _threshold(cost: float, dof: int, sd_is_known: bool, confidence: float) -> tuple[float, bool]:
     """Rise of the cost at an interval's ends, and whether it rests on the sd as given rather than on the residuals."""
     from scipy import special
 
-    if known and cost <= special.chdtri(dof, _SIGNIFICANCE):
+    if sd_is_known and cost <= special.chdtri(dof, _SIGNIFICANCE):
         return float(special.ndtri((1 + confidence) / 2)) ** 2, True
     return cost / dof * float(special.stdtrit(dof, (1 + confidence) / 2)) ** 2, False
 
@@ -306,12 +306,12 @@ class _Curve:
         def jacobian(part: Array) -> Array:
             return self.jacobian(whole(part))[:, free]
 
-        found = least_squares(residual, start[free], cast("Any", jacobian), method="lm", max_nfev=_EVALUATIONS)
-        return np.clip(whole(found.x), -_LIMIT, _LIMIT), 2 * float(found.cost)
+        solution = least_squares(residual, start[free], cast("Any", jacobian), method="lm", max_nfev=_EVALUATIONS)
+        return np.clip(whole(solution.x), -_LIMIT, _LIMIT), 2 * float(solution.cost)
 
     def best_of(self, starts: Iterable[Array], held: int | None = None) -> tuple[Array, float]:
         """Lowest of the minima reached from `starts`: see `minimise`."""
-        return min((self.minimise(start, held) for start in starts), key=lambda found: found[1])
+        return min((self.minimise(start, held) for start in starts), key=lambda minimum: minimum[1])
 
     def spread(self) -> float:
         """Weighted sum of squares about the weighted mean."""

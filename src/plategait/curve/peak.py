@@ -56,8 +56,8 @@ def unseen_peak(
         return f"a line that peaks at {f0:.4g} Hz, where nothing was measured"
     within = int(np.sum(np.abs(f - f0) <= half_width))
     if within < LEAST_SAMPLES:
-        seen = "none" if within == 0 else f"only {within}"
-        return f"a peak of half width {half_width:.2g} Hz at {f0:.4g} Hz with {seen} of the frequencies within it"
+        samples = "none" if within == 0 else f"only {within}"
+        return f"a peak of half width {half_width:.2g} Hz at {f0:.4g} Hz with {samples} of the frequencies within it"
     return None
 
 

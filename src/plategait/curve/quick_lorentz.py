@@ -50,9 +50,11 @@ def fit_shape(frequency: ArrayLike, rate: ArrayLike, *, ends_in_failure: bool = 
 
     peak, f0, width = first_guess(f, y)
     starts = [(peak / largest, f0, width), (1.0, f[np.argmax(y)], np.ptp(f) / 4)]
-    found = min((least_squares(residual, start, method="lm", max_nfev=400) for start in starts), key=lambda r: r.cost)
-    peak, f0, width = float(found.x[0]), float(found.x[1]), abs(float(found.x[2]))
+    solution = min(
+        (least_squares(residual, start, method="lm", max_nfev=400) for start in starts), key=lambda r: r.cost
+    )
+    peak, f0, width = float(solution.x[0]), float(solution.x[1]), abs(float(solution.x[2]))
     if unseen_peak(f, y, f0, width, ends_in_failure=ends_in_failure):
         return None
     total = float((((y - y.mean()) / largest) ** 2).sum())
-    return Shape(peak * largest, f0, width, 1 - 2 * float(found.cost) / total)
+    return Shape(peak * largest, f0, width, 1 - 2 * float(solution.cost) / total)

@@ -57,10 +57,10 @@ def spin_curve(
         For what is no scenario or no frequencies, an unknown option, or one out of range.
     """
     check_options(options)
-    chosen, frequencies = as_scenario(scenario), _frequencies(frequencies)
-    scenarios = [chosen.replace(**{"motion.frequency": f}) for f in frequencies]
+    checked, frequencies = as_scenario(scenario), _frequencies(frequencies)
+    scenarios = [checked.replace(**{"motion.frequency": f}) for f in frequencies]
     simulations = simulate_all(scenarios, **options)
-    curve = curve_of(chosen.name, frequencies, [s.observations for s in simulations])
+    curve = curve_of(checked.name, frequencies, [s.observations for s in simulations])
     return fit_curve(replace(curve, simulations=tuple(simulations)))
 
 
@@ -92,10 +92,12 @@ def _values(observations: Sequence[Sequence[Observation]]) -> dict[str, Array]:
     }
 
 
-def _frequencies(given: Sequence[float | str] | str) -> list[float]:
+def _frequencies(frequencies: Sequence[float | str] | str) -> list[float]:
     """Frequencies of a range as text, or of a list of numbers, Hz."""
-    if isinstance(given, str):
-        return parse_frequencies(given)
-    if not hasattr(given, "__iter__"):
-        raise InputError("frequencies", given, "several frequencies in Hz", f'"{given}, 24 Hz" or "12:30:1Hz"')
-    return [FREQUENCY.read(f, "frequencies") for f in given]
+    if isinstance(frequencies, str):
+        return parse_frequencies(frequencies)
+    if not hasattr(frequencies, "__iter__"):
+        raise InputError(
+            "frequencies", frequencies, "several frequencies in Hz", f'"{frequencies}, 24 Hz" or "12:30:1Hz"'
+        )
+    return [FREQUENCY.read(f, "frequencies") for f in frequencies]

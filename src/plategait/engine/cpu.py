@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import plategait._native as _native  # pyright: ignore[reportMissingImports]
 from plategait.engine.memory import batch_size, check_memory
-from plategait.engine.recording import Recording, Run
+from plategait.engine.recording import Recording, RunRequest
 from plategait.engine.trajectories import table_step, tables
 from plategait.model.lattice import Lattice
 from plategait.model.motion import AXES
@@ -35,7 +35,7 @@ def instruction_sets() -> list[str]:
 
 
 def run(
-    runs: Sequence[Run],
+    runs: Sequence[RunRequest],
     precision: Precision = "float32",
     *,
     threads: int | None = None,
@@ -46,7 +46,7 @@ def run(
 
     Parameters
     ----------
-    runs : sequence of Run
+    runs : sequence of RunRequest
         May differ in everything.
     precision : {"float32", "float64"}
         Of the arithmetic.
@@ -84,7 +84,7 @@ def run(
     return [recordings[i] for i in range(len(runs))]
 
 
-def _batches(runs: Sequence[Run], sample_bytes: int) -> list[list[int]]:
+def _batches(runs: Sequence[RunRequest], sample_bytes: int) -> list[list[int]]:
     """Indices of the runs that share a lattice, in pieces whose recordings fit in memory."""
     groups: dict[bytes, list[int]] = {}
     for i, r in enumerate(runs):
@@ -127,7 +127,7 @@ def parameters_of(scenario: Scenario) -> dict[str, float]:
     }
 
 
-def _terms(runs: Sequence[Run]) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
+def _terms(runs: Sequence[RunRequest]) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
     """Sines of every run in shared slots: degree of freedom of each slot, (n_slots, 3, n_runs) numbers."""
     by_run = [r.scenario.motion.terms() for r in runs]
     slots = [d for d in range(len(AXES)) for _ in range(max(sum(t[0] == d for t in terms) for terms in by_run))]
@@ -148,7 +148,7 @@ def _lines(lattice: Lattice) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
 
 
 def _advance(
-    runs: Sequence[Run], precision: Precision, threads: int, level: str, report: Callable[[int], None]
+    runs: Sequence[RunRequest], precision: Precision, threads: int, level: str, report: Callable[[int], None]
 ) -> list[Recording]:
     lattice, n = runs[0].lattice, len(runs)
     rows = [parameters_of(r.scenario) for r in runs]
@@ -180,20 +180,20 @@ def _advance(
     )  # fmt: skip
     recordings = []
     for j, r in enumerate(runs):
-        kept = int(steps_done[j] // stride[j] + 1)
-        pictured = int((kept - 1) // thinning[j] + 1) if thinning[j] else 0
-        series = samples[j, :kept].astype(np.float64)
+        n_samples = int(steps_done[j] // stride[j] + 1)
+        n_snapshots = int((n_samples - 1) // thinning[j] + 1) if thinning[j] else 0
+        series = samples[j, :n_samples].astype(np.float64)
         channels = {name: series[:, c] for c, name in enumerate(_native.CHANNELS)}
         # Time counts in steps: the core's own precision does not reach a long run's end.
-        channels["time"] = np.arange(kept, dtype=np.float64) * (int(stride[j]) * r.scenario.dt)
+        channels["time"] = np.arange(n_samples, dtype=np.float64) * (int(stride[j]) * r.scenario.dt)
         pose = np.stack([channels[f"plate_{axis}"] for axis in AXES], axis=1)
         diverged = steps_done[j] < steps[j] or not (np.isfinite(series).all() and np.isfinite(x1[j]).all())
         every = slice(0, None, max(1, int(thinning[j])))
         recordings.append(
             Recording(
-                channels=channels, snapshot_time=channels["time"][every][:pictured], snapshots=snapshots[j, :pictured],
-                plate_pose=pose[every][:pictured], positions=x1[j], velocities=v1[j], dt=r.scenario.dt,
-                steps=int(steps_done[j]), diverged=bool(diverged),
+                channels=channels, snapshot_time=channels["time"][every][:n_snapshots],
+                snapshots=snapshots[j, :n_snapshots], plate_pose=pose[every][:n_snapshots],
+                positions=x1[j], velocities=v1[j], dt=r.scenario.dt, steps=int(steps_done[j]), diverged=bool(diverged),
             )
         )  # fmt: skip
     return recordings

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Literal, Protocol
 
-from plategait.engine.recording import Recording, Run
+from plategait.engine.recording import Recording, RunRequest
 from plategait.errors import InputError
 
 Engine = Literal["cpu", "cpu64", "tiles"]
@@ -20,7 +20,11 @@ class Runner(Protocol):
     """What every engine does."""
 
     def __call__(
-        self, runs: Sequence[Run], *, threads: int | None = None, progress: Callable[[float], object] | None = None
+        self,
+        runs: Sequence[RunRequest],
+        *,
+        threads: int | None = None,
+        progress: Callable[[float], object] | None = None,
     ) -> list[Recording]:
         """Advance runs that may differ in everything, and give a recording of each, in their order.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.engine.trajectories import table_bytes
 from plategait.errors import InputError
 from plategait.memory import available_memory
@@ -22,12 +22,12 @@ def batch_size(samples: int, sample_bytes: int) -> int:
     return max(_SMALLEST_BATCH, _SMALLEST_BATCH * int(_LARGEST_RECORDING / (_SMALLEST_BATCH * sample_bytes * samples)))
 
 
-def check_memory(runs: Sequence[Run], sample_bytes: int, channels: int) -> None:
+def check_memory(runs: Sequence[RunRequest], sample_bytes: int, channels: int) -> None:
     """Refuse runs whose recordings would not fit in memory.
 
     Parameters
     ----------
-    runs : sequence of Run
+    runs : sequence of RunRequest
         All that are kept at once.
     sample_bytes : int
         Of a sample while runs are advanced.
@@ -61,10 +61,10 @@ def check_memory(runs: Sequence[Run], sample_bytes: int, channels: int) -> None:
     raise InputError("duration", f"{longest:g} s", f"short enough {rule}", f'"{share * longest:.2g} s"')
 
 
-def _recording_bytes(run: Run, channels: int) -> float:
+def _recording_bytes(run: RunRequest, channels: int) -> float:
     pictures = _PICTURE_COPIES * run.pictures * (12 * run.lattice.n_nodes + 56)
     return 8.0 * _COPIES * channels * run.samples + pictures + 96 * run.lattice.n_nodes
 
 
-def _running_bytes(run: Run, sample_bytes: int) -> float:
+def _running_bytes(run: RunRequest, sample_bytes: int) -> float:
     return sample_bytes * run.samples + 12.0 * run.lattice.n_nodes * (run.pictures + 8)

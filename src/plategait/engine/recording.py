@@ -19,7 +19,7 @@ LONGEST_SAMPLE_INTERVAL = 2e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Run:
+class RunRequest:
     """One run to make: a scenario, and how its start differs from the nominal one.
 
     Attributes

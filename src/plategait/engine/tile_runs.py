@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from plategait.arrays import Array
 from plategait.engine.channels import CHANNELS
 from plategait.engine.memory import check_memory
-from plategait.engine.recording import Recording, Run
+from plategait.engine.recording import Recording, RunRequest
 from plategait.engine.tile_step import Plate, Tiles, Work, step
 from plategait.engine.tiles import Pull, TileModel, contact_energy, joint_energy, joint_loss, stable_step
 from plategait.errors import InputError
@@ -29,13 +29,13 @@ SHARE_OF_STABLE_STEP = 0.85
 
 
 def run(
-    runs: Sequence[Run], *, threads: int | None = None, progress: Callable[[float], object] | None = None
+    runs: Sequence[RunRequest], *, threads: int | None = None, progress: Callable[[float], object] | None = None
 ) -> list[Recording]:
     """Advance runs, those of like sheets and steps side by side.
 
     Parameters
     ----------
-    runs : sequence of Run
+    runs : sequence of RunRequest
         On a plate without end that moves by (4.1) and (4.2). Tiles start level.
     threads : int, optional
         Cores to use at most; this engine uses one.
@@ -66,7 +66,7 @@ def run(
     return [recordings[i] for i in range(len(runs))]
 
 
-def _check(run: Run) -> None:
+def _check(run: RunRequest) -> None:
     """Refuse what tiles cannot do."""
     motion = run.scenario.motion
     for field, asked, got, allowed in (
@@ -80,7 +80,7 @@ def _check(run: Run) -> None:
             raise InputError(field, got, f'{allowed} for the engine "tiles"', 'the engine "cpu"')
 
 
-def _shared(run: Run) -> tuple[object, ...]:
+def _shared(run: RunRequest) -> tuple[object, ...]:
     """What the runs of a batch have in common."""
     s = run.scenario
     friction = (s.friction.transition_speed, s.friction.kinetic_speed_ratio, s.friction.law)
@@ -88,7 +88,7 @@ def _shared(run: Run) -> tuple[object, ...]:
     return (*sheet, s.contact.damping_ramp, s.motion.height, s.motion.ramp, s.gravity, *friction, run.steps, s.dt)
 
 
-def _groups(runs: Sequence[Run]) -> list[tuple[int, list[int]]]:
+def _groups(runs: Sequence[RunRequest]) -> list[tuple[int, list[int]]]:
     """Runs that are advanced together, with the tiles' steps in each of theirs: those that each needs by itself."""
     alike: dict[tuple[object, ...], list[int]] = {}
     for i, r in enumerate(runs):
@@ -101,7 +101,7 @@ def _groups(runs: Sequence[Run]) -> list[tuple[int, list[int]]]:
     return [(substeps, group) for (substeps, _), group in groups.items()]
 
 
-def tile_model(runs: Sequence[Run]) -> TileModel:
+def tile_model(runs: Sequence[RunRequest]) -> TileModel:
     """Tiles of like sheets, their coefficients one for each run."""
     scenarios, first = [r.scenario for r in runs], runs[0].scenario
     sheets = [s.sheet for s in scenarios]
@@ -122,7 +122,7 @@ def tile_model(runs: Sequence[Run]) -> TileModel:
     )  # fmt: skip
 
 
-def _plate(runs: Sequence[Run]) -> Plate:
+def _plate(runs: Sequence[RunRequest]) -> Plate:
     motions, frictions, first = [r.scenario.motion for r in runs], [r.scenario.friction for r in runs], runs[0].scenario
     return Plate(
         angle=np.array([m.angle for m in motions]), stroke=np.array([m.stroke for m in motions]),
@@ -133,7 +133,7 @@ def _plate(runs: Sequence[Run]) -> Plate:
     )  # fmt: skip
 
 
-def _start(runs: Sequence[Run]) -> Tiles:
+def _start(runs: Sequence[RunRequest]) -> Tiles:
     """Level tiles, turned as the sheet is."""
     x, v = (np.stack(vectors, axis=-1).swapaxes(0, 1) for vectors in zip(*(r.start() for r in runs), strict=True))
     half = np.array([0.5 * (r.scenario.start.angle + r.offset[2]) for r in runs])
@@ -175,7 +175,7 @@ class _Tally:
         return taken
 
 
-def _advance(runs: Sequence[Run], substeps: int, report: Callable[[float], object]) -> list[Recording]:
+def _advance(runs: Sequence[RunRequest], substeps: int, report: Callable[[float], object]) -> list[Recording]:
     model, plate, tiles, first = tile_model(runs), _plate(runs), _start(runs), runs[0]
     dt, strides = first.scenario.dt / substeps, np.array([r.stride for r in runs])
     samples = [np.full((r.samples, len(CHANNELS)), np.nan) for r in runs]
@@ -214,7 +214,7 @@ def _in_plate(plate: Plate, x: Array, time: float) -> Array:
 
 
 def _sample(
-    model: TileModel, plate: Plate, run: Run, tiles: Tiles, pull: Pull, time: float, due: Which
+    model: TileModel, plate: Plate, run: RunRequest, tiles: Tiles, pull: Pull, time: float, due: Which
 ) -> dict[str, Array | float]:
     """State of the runs that are sampled, by channel."""
     angle, shift, _, _ = plate.pose(time)
@@ -240,19 +240,19 @@ def _sample(
     return {"time": time, **still, **{name: values[due] for name, values in state.items()}}
 
 
-def _recording(run: Run, samples: Array, shapes: np.ndarray, tiles: Tiles, j: int) -> Recording:
+def _recording(run: RunRequest, samples: Array, shapes: np.ndarray, tiles: Tiles, j: int) -> Recording:
     """Recording of a run, to where it ceased to be finite."""
     broken = np.flatnonzero(~np.isfinite(samples).all(axis=1))
-    kept = int(broken[0]) + 1 if len(broken) else len(samples)
-    channels: dict[str, Array] = {name: samples[:kept, c] for c, name in enumerate(CHANNELS)}
-    channels["time"] = np.arange(kept, dtype=np.float64) * (run.stride * run.scenario.dt)
+    n_samples = int(broken[0]) + 1 if len(broken) else len(samples)
+    channels: dict[str, Array] = {name: samples[:n_samples, c] for c, name in enumerate(CHANNELS)}
+    channels["time"] = np.arange(n_samples, dtype=np.float64) * (run.stride * run.scenario.dt)
     every = slice(0, None, max(1, run.thinning))
-    pictured = (kept - 1) // run.thinning + 1 if run.thinning else 0
+    n_snapshots = (n_samples - 1) // run.thinning + 1 if run.thinning else 0
     pose = np.stack([channels[f"plate_{axis}"] for axis in AXES], axis=1)
     positions, velocities = tiles.x[..., j].T.copy(), tiles.v[..., j].T.copy()
     return Recording(
-        channels=channels, snapshot_time=channels["time"][every][:pictured], snapshots=shapes[:pictured],
-        plate_pose=pose[every][:pictured], positions=positions, velocities=velocities, dt=run.scenario.dt,
-        steps=(kept - 1) * run.stride if len(broken) else run.steps,
+        channels=channels, snapshot_time=channels["time"][every][:n_snapshots], snapshots=shapes[:n_snapshots],
+        plate_pose=pose[every][:n_snapshots], positions=positions, velocities=velocities, dt=run.scenario.dt,
+        steps=(n_samples - 1) * run.stride if len(broken) else run.steps,
         diverged=bool(len(broken)) or not np.isfinite(positions).all(),
     )  # fmt: skip

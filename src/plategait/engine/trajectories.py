@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.model.motion import Samples
 from plategait.model.scenario import Scenario
 
@@ -19,7 +19,7 @@ def table_step(scenario: Scenario) -> float:
     return float(np.float32(finest))
 
 
-def table_bytes(runs: Iterable[Run]) -> float:
+def table_bytes(runs: Iterable[RunRequest]) -> float:
     """Memory that `tables` takes at most: knots of 12 numbers, and the copies that the spline makes of them."""
     taken = {
         id(s): 12 * 8 * 3 * min(s.time[-1], r.scenario.duration) / table_step(r.scenario)
@@ -29,7 +29,7 @@ def table_bytes(runs: Iterable[Run]) -> float:
     return sum(taken.values())
 
 
-def tables(runs: Sequence[Run]) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]:
+def tables(runs: Sequence[RunRequest]) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]:
     """Knots of the sampled trajectories of runs, to the end of the longest run on each.
 
     Returns

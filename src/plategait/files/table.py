@@ -197,7 +197,7 @@ def _find(
     name: str, column: Column, heading: list[str], named: list[tuple[str, str]], path: Path, field: str, example: str
 ) -> tuple[int, float]:
     """Place of a column and the factor to its wanted unit; place -1 where an optional one is missing."""
-    places = [(i, unit) for i, (found, unit) in enumerate(named) if found == name]
+    places = [(i, unit) for i, (column_name, unit) in enumerate(named) if column_name == name]
     if len(places) == 1:
         place, unit = places[0]
         try:
@@ -209,7 +209,7 @@ def _find(
     if not column.required and not places:
         return -1, 1.0
     got = [heading[i] for i, _ in places]
-    if not got and any(found for found, _ in named):
+    if not got and any(column_name for column_name, _ in named):
         got = [printable(cell, 40) for cell in heading[:12]]
     # What has none of the columns is some other file, whose first line is nobody's business.
     said = ", ".join(got) or (f"{len(heading)} of no known name" if heading else "none")

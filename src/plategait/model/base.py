@@ -32,9 +32,9 @@ class Model(_Fields):
         try:
             super().__init__(**data)
         except ValidationError as error:
-            found = error.errors()
+            details = error.errors()
             # A misspelt name is the cause where the right one is missing.
-            first = next((detail for detail in found if detail["type"] == "extra_forbidden"), found[0])
+            first = next((detail for detail in details if detail["type"] == "extra_forbidden"), details[0])
             raise _input_error(type(self), first) from None
 
     def replace(self, **changes: Any) -> Any:
@@ -112,10 +112,10 @@ def _elements_with(part: tuple[Any, ...], changes: Mapping[str, Any]) -> tuple[A
 
 
 def _unknown_field(model: type[Model], name: str) -> InputError:
-    known = list(model.model_fields)
-    close = difflib.get_close_matches(name, known, n=1)
+    fields = list(model.model_fields)
+    close = difflib.get_close_matches(name, fields, n=1)
     hint = close[0] if close else "leaving it out"
-    return InputError(name, "nothing known by that name", f"one of {', '.join(known)}", hint)
+    return InputError(name, "nothing known by that name", f"one of {', '.join(fields)}", hint)
 
 
 def _example(model: type[Model], name: str) -> str:

@@ -203,17 +203,17 @@ def _named_directions(lattice: Lattice, rigid: Array, spaces: list[Array]) -> di
         name: np.array([np.linalg.norm(basis.T @ ideal) for basis in spaces], dtype=np.float64)
         for name, ideal in ideals.items()
     }
-    found: dict[str, tuple[int, Array]] = {}
+    best: dict[str, tuple[int, Array]] = {}
     for name in sorted(held, key=lambda name: -round(float(held[name].max()), _ALIKE)):
         left = [basis @ (basis.T @ ideals[name]) for basis in spaces]
-        for space, direction in found.values():
+        for space, direction in best.values():
             left[space] = left[space] - direction * (direction @ left[space])
         sizes = np.linalg.norm(left, axis=1)
         mostly = np.flatnonzero(sizes > _MOSTLY)
         space = int(mostly[0]) if len(mostly) else _first_largest(held[name])
         if sizes[space] > _PARTLY:
-            found[name] = space, left[space] / sizes[space]
-    return found
+            best[name] = space, left[space] / sizes[space]
+    return best
 
 
 def _settled(basis: Array, directions: list[Array]) -> Array:

@@ -94,10 +94,10 @@ def find_parameter(name: str, scenario: Scenario | None = None) -> Parameter:
     """
     if name in SHORTHANDS:
         return Parameter(name, SHORTHANDS[name])
-    known = parameters_of(scenario or _plainest())
-    if name in known:
-        return known[name]
-    names = [*SHORTHANDS, *known]
+    parameters = parameters_of(scenario or _plainest())
+    if name in parameters:
+        return parameters[name]
+    names = [*SHORTHANDS, *parameters]
     alike = [n for n in names if n.rsplit(".", 1)[-1] == name.rsplit(".", 1)[-1]]
     close = difflib.get_close_matches(name, alike or names, n=1, cutoff=0.0 if alike else 0.4) or ["motion.frequency"]
     raise InputError(

@@ -219,7 +219,7 @@ def nominal_natural_frequency(sheet: Sheet) -> float:
     return sheet.natural_frequency * NOMINAL_NATURAL_FREQUENCY / _TABLE_4_1.natural_frequency
 
 
-def as_scenario(given: Scenario | Preset | Path | str, field: str = "scenario") -> Scenario:
+def as_scenario(scenario: Scenario | Preset | Path | str, field: str = "scenario") -> Scenario:
     """Scenario that is meant: itself, that of a preset or of a preset's name, or what a TOML file holds.
 
     Raises
@@ -227,15 +227,17 @@ def as_scenario(given: Scenario | Preset | Path | str, field: str = "scenario") 
     InputError
         For anything else, under the name `field`; or when the file is not as it must be.
     """
-    if isinstance(given, Scenario):
-        return given
-    if isinstance(given, Preset):
-        return given.scenario
-    if isinstance(given, str) and given in _MAKERS:
-        return preset(given).scenario
-    if isinstance(given, Path) or (isinstance(given, str) and (Path(given).suffix or os.path.isfile(given))):
-        return read_scenario(given, field)
-    raise InputError(field, given, f"a TOML file or one of {', '.join(PRESETS)}", _nearest(given))
+    if isinstance(scenario, Scenario):
+        return scenario
+    if isinstance(scenario, Preset):
+        return scenario.scenario
+    if isinstance(scenario, str) and scenario in _MAKERS:
+        return preset(scenario).scenario
+    if isinstance(scenario, Path) or (
+        isinstance(scenario, str) and (Path(scenario).suffix or os.path.isfile(scenario))
+    ):
+        return read_scenario(scenario, field)
+    raise InputError(field, scenario, f"a TOML file or one of {', '.join(PRESETS)}", _nearest(scenario))
 
 
 def _nearest(name: object) -> str:

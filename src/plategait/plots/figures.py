@@ -43,12 +43,12 @@ def plot_curve(curve: Curve) -> Figure:
     for gait, (marker, colour) in MARKERS.items():
         for in_part in (False, True):
             # A failed point has a mark as well where some of its runs went on.
-            here = np.array([g == gait for g in curve.gait]) & (partly == in_part) & (~failed | partly)
-            here &= np.isfinite(rate)
-            if here.any():
-                bars = np.where(np.isfinite(sd), sd, 0.0)[here]
+            chosen = np.array([g == gait for g in curve.gait]) & (partly == in_part) & (~failed | partly)
+            chosen &= np.isfinite(rate)
+            if chosen.any():
+                bars = np.where(np.isfinite(sd), sd, 0.0)[chosen]
                 label = (gait or "gait unknown") if not in_part else None
-                axes.errorbar(f[here], rate[here], bars, fmt=marker, ecolor=colour, ms=6.5, mew=1.4, label=label,
+                axes.errorbar(f[chosen], rate[chosen], bars, fmt=marker, ecolor=colour, ms=6.5, mew=1.4, label=label,
                               **mark(colour, in_part))  # fmt: skip
     if partly.any():
         axes.plot([], [], "s", ms=6.5, mew=1.4, label=PARTLY_FAILED, **mark(GREY, True))

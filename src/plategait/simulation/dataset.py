@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from plategait.engine.channels import CHANNELS
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.errors import InputError
 from plategait.files.output import check_writable, write_whole
 from plategait.memory import available_memory, in_words
@@ -117,12 +117,12 @@ def write_dataset(simulation: Simulation, path: Path | str) -> None:
     write_whole(dataset_of(simulation).to_netcdf(engine="h5netcdf"), path, SUFFIXES, "out")
 
 
-def dataset_bytes(run: Run) -> int:
+def dataset_bytes(run: RunRequest) -> int:
     """Size of the arrays of `dataset_of` for a run that goes to its end; that of the file is nearly the same."""
     return 8 * len(_SERIES) * run.samples + (12 * run.lattice.n_nodes + 8 * 6) * run.pictures
 
 
-def check_room(run: Run, repeats: int, path: Path, field: str = "--out") -> None:
+def check_room(run: RunRequest, repeats: int, path: Path, field: str = "--out") -> None:
     """Refuse a dataset for which there is not the memory or the disk, before the runs are made.
 
     Raises

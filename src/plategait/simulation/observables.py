@@ -228,10 +228,10 @@ def first_failure(
         beyond = beyond | (hanging & (folded | over))
         signs += [("folded", folded & ~hanging), ("turned over", over & ~hanging)]
     signs.append(("left the plate", beyond))
-    found = [Failure(kind, float(time[np.argmax(sign)])) for kind, sign in signs if sign.any()]
+    failures = [Failure(kind, float(time[np.argmax(sign)])) for kind, sign in signs if sign.any()]
     if diverged or last < len(time):
-        found.append(Failure("diverged", float(time[max(last - 1, 0)])))
-    first = min(found, key=lambda failure: failure.time, default=None)
+        failures.append(Failure("diverged", float(time[max(last - 1, 0)])))
+    first = min(failures, key=lambda failure: failure.time, default=None)
     if first is not None and first.kind == "slipped":
-        return next((replace(f, first_sign=first.time) for f in found if f.kind == "left the plate"), first)
+        return next((replace(f, first_sign=first.time) for f in failures if f.kind == "left the plate"), first)
     return first

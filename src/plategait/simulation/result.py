@@ -42,29 +42,29 @@ class Simulation:
     wall: float
 
     @cached_property
-    def _shown(self) -> Ensemble:
+    def _ensemble(self) -> Ensemble:
         return ensemble_of([self.observations])
 
     @property
     def failed(self) -> bool:
         """Whether at least half of the runs failed (see `plategait.simulation.ensemble` for this and the means)."""
-        return bool(self._shown.failed[0])
+        return bool(self._ensemble.failed[0])
 
     @property
     def failed_runs(self) -> int:
         """Number of runs that failed."""
-        return int(self._shown.failed_runs[0])
+        return int(self._ensemble.failed_runs[0])
 
     @property
     def counted_runs(self) -> int:
         """Number of runs that the spin rate is over."""
-        return int(self._shown.counted_runs[0])
+        return int(self._ensemble.counted_runs[0])
 
     @property
     def failure(self) -> Failure | None:
         """Commonest failure with its median time; None where no run failed."""
-        kind = self._shown.failure[0]
-        return Failure(kind, float(self._shown.failure_time[0])) if kind else None
+        kind = self._ensemble.failure[0]
+        return Failure(kind, float(self._ensemble.failure_time[0])) if kind else None
 
     @property
     def failures(self) -> dict[str, list[float]]:
@@ -77,27 +77,27 @@ class Simulation:
     @property
     def spin_rate(self) -> float:
         """Mean spin rate of the runs that did not fail, rad/s, counter-clockwise positive; NaN where there is none."""
-        return float(self._shown.rate[0])
+        return float(self._ensemble.rate[0])
 
     @property
     def spin_rate_interval(self) -> tuple[float, float]:
         """95 % interval of the spin rate, rad/s: within the run, or of the ensemble's mean."""
-        return float(self._shown.low[0]), float(self._shown.high[0])
+        return float(self._ensemble.low[0]), float(self._ensemble.high[0])
 
     @property
     def spin_rate_sd(self) -> float:
         """Standard deviation of the spin rate, rad/s: over the ensemble, or for one run over its blocks of periods."""
-        return float(self._shown.spread[0])
+        return float(self._ensemble.spread[0])
 
     @property
     def settled(self) -> bool:
         """Whether every run that counts has settled, and the scenario has not failed."""
-        return bool(self._shown.settled[0])
+        return bool(self._ensemble.settled[0])
 
     @property
     def gait(self) -> str:
         """Gait of most runs that did not fail, of equals the livelier; empty where there is none."""
-        return self._shown.gait[0]
+        return self._ensemble.gait[0]
 
     @property
     def open_ledgers(self) -> int:

@@ -13,7 +13,7 @@ import numpy as np
 
 from plategait.engine import engines
 from plategait.engine.engines import Engine
-from plategait.engine.recording import Run
+from plategait.engine.recording import RunRequest
 from plategait.errors import InputError
 from plategait.model.presets import PRESETS, Preset, as_scenario
 from plategait.model.scenario import Scenario
@@ -53,12 +53,12 @@ def check_options(options: Mapping[str, object]) -> None:
     InputError
         With the nearest that is, or how a scenario's number is changed.
     """
-    known = list(RunOptions.__annotations__)
+    names = list(RunOptions.__annotations__)
     for name in options:
-        if name not in known:
-            close = difflib.get_close_matches(name, known, 1)
+        if name not in names:
+            close = difflib.get_close_matches(name, names, 1)
             hint = close[0] if close else 'scenario.replace(**{"motion.frequency": "24 Hz"}) for what belongs to it'
-            raise InputError(name, "nothing known by that name", f"one of {', '.join(known)}", hint)
+            raise InputError(name, "nothing known by that name", f"one of {', '.join(names)}", hint)
 
 
 def starts(repeats: int, seed: int) -> list[tuple[float, float, float]]:
@@ -131,15 +131,15 @@ def simulate_all(
         if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or not least <= number <= most:
             raise InputError(name, number, f"a whole number from {least} to {most}", str(max(least, 4)))
     interval = _INTERVAL.read(snapshot_interval, "snapshot_interval")
-    chosen = _scenarios(scenarios)
+    checked = _scenarios(scenarios)
     offsets = starts(repeats, seed)
-    runs = [Run(scenario, offset, interval) for scenario in chosen for offset in offsets]
+    runs = [RunRequest(scenario, offset, interval) for scenario in checked for offset in offsets]
     begun = time.perf_counter()
     recordings = row.load()(runs, threads=threads, progress=progress)
     wall = time.perf_counter() - begun
     total = sum(r.steps * r.dt for r in recordings)
     simulations = []
-    for i, scenario in enumerate(chosen):
+    for i, scenario in enumerate(checked):
         own = tuple(recordings[i * repeats : (i + 1) * repeats])
         share = sum(r.steps * r.dt for r in own) / total if total else 0.0
         observations = tuple(observe(scenario, r) for r in own)
@@ -147,11 +147,11 @@ def simulate_all(
     return simulations
 
 
-def _scenarios(given: Sequence[Scenario | Preset | Path | str]) -> list[Scenario]:
+def _scenarios(scenarios: Sequence[Scenario | Preset | Path | str]) -> list[Scenario]:
     """Scenarios of a list of what tells them."""
-    if isinstance(given, (str, Path, Scenario, Preset)) or not hasattr(given, "__iter__"):
+    if isinstance(scenarios, (str, Path, Scenario, Preset)) or not hasattr(scenarios, "__iter__"):
         raise InputError("scenarios", "nothing like a list", "a list of scenarios", f'["{PRESETS[0]}"]')
-    chosen = [as_scenario(each, "scenarios") for each in given]
-    if not chosen:
+    checked = [as_scenario(each, "scenarios") for each in scenarios]
+    if not checked:
         raise InputError("scenarios", "nothing", "at least one scenario", 'preset("cheese").scenario')
-    return chosen
+    return checked
