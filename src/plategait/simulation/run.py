@@ -1,4 +1,4 @@
-"""Runs: from scenarios through an engine to what they show. The only module that knows both."""
+"""Runs: from scenarios through an engine to what they show."""
 
 from __future__ import annotations
 
