@@ -24,7 +24,7 @@ from plategait.vision.frames import open_video
 from plategait.vision.object import parallax
 from plategait.vision.plate.swing import plate_swing
 from plategait.vision.spin import apparent_frequency, spin_of
-from plategait.vision.survey import Setup
+from plategait.vision.pose_reader import Setup
 from plategait.vision.track import track as follow
 
 FREQUENCY, SWING = 11.0, math.radians(4)

@@ -58,7 +58,7 @@ def shoot(
         refuse(context, ["hidden"], "with --no-markers", "--markers")
     filmed.require_opencv()
     from plategait.render.clip.clip import film, usual_camera
-    from plategait.render.clip.look import Look
+    from plategait.render.clip.appearance import Appearance
     from plategait.simulation.run import simulate
 
     width, height = _pixels(size)
@@ -68,11 +68,11 @@ def shoot(
     )  # fmt: skip
     settle = min(1.0, chosen.measured_from)
     chosen = chosen.replace(duration=settle + seconds + 0.05, transient=settle)
-    look = Look(markers=markers, noise=noise, exposure=exposure, crf=crf, hidden=hidden, seed=seed)
+    appearance = Appearance(markers=markers, noise=noise, exposure=exposure, crf=crf, hidden=hidden, seed=seed)
     with report.progress_bar("filming") as progress:
         run = simulate(chosen, seed=seed, snapshot_interval=chosen.motion.period / SHAPES_PER_PERIOD)
         camera = usual_camera(chosen, width, height, elevation=math.radians(elevation))
-        truth = film(run, out, camera, fps, look, seconds=seconds, progress=progress)
+        truth = film(run, out, camera, fps, appearance, seconds=seconds, progress=progress)
     rate = math.degrees(truth.spin.rate)
     numbers = {
         "clip": str(out), "frames": len(truth.time), "fps": fps,
