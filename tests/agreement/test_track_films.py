@@ -15,10 +15,10 @@ from drawn_clips import FIDUCIAL, SIDE, Clip, draw
 
 from plategait.errors import InputError
 from plategait.model.presets import preset
-from plategait.render.clip.clip import film, usual_camera
 from plategait.render.clip.appearance import Appearance
+from plategait.render.clip.clip import film, usual_camera
 from plategait.simulation.run import simulate
-from plategait.vision.pose_reader import Setup
+from plategait.vision.setup import Setup
 from plategait.vision.track import Track, track
 
 SETUP = Setup(plate_size=(SIDE, SIDE), fiducial=FIDUCIAL)
@@ -91,12 +91,15 @@ def test_no_confident_wrong_answer(tmp_path: Path) -> None:
     [
         pytest.param("pancake", 12.0, 12.0, "running", Appearance(), id="running"),
         pytest.param(
-            "cheese", 24.0, 3.0, "walking", Appearance(hidden=0.3, drop=0.05, duplicate=0.05, jitter=0.1, noise=4.0, crf=28),
+            "cheese", 24.0, 3.0, "walking",
+            Appearance(hidden=0.3, drop=0.05, duplicate=0.05, jitter=0.1, noise=4.0, crf=28),
             id="walking, poorly filmed",
         ),
     ],
 )  # fmt: skip
-def test_bending_objects(name: str, frequency: float, angle: float, gait: str, appearance: Appearance, tmp_path: Path) -> None:
+def test_bending_objects(
+    name: str, frequency: float, angle: float, gait: str, appearance: Appearance, tmp_path: Path
+) -> None:
     scenario = preset(name).scenario.replace(
         **{
             "motion.frequency": frequency,
