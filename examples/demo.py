@@ -39,8 +39,8 @@ def main() -> None:
     plots.save(plots.plot_curve(curve), OUT / "curve.png")
     plots.save(plots.plot_run(run), OUT / "run.png")
     plots.save(plots.plot_modes(cheese.sheet), OUT / "modes.png")
-    render.filmstrip(run.scenario, run.recordings[0], OUT / "filmstrip.png")
-    render.film(run.scenario, run.recordings[0], OUT / "run.mp4")
+    render.filmstrip(run, OUT / "filmstrip.png")
+    render.film(run, OUT / "run.mp4")
 
     print(f"\nDone in {time.perf_counter() - begun:.0f} s. The pictures are in {OUT.resolve()}:")
     for path in sorted(OUT.iterdir()):

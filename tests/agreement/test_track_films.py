@@ -15,10 +15,10 @@ from drawn_clips import FIDUCIAL, SIDE, Clip, draw
 
 from plategait.errors import InputError
 from plategait.model.presets import preset
+from plategait.render.clip.appearance import Appearance
 from plategait.render.clip.clip import film, usual_camera
-from plategait.render.clip.look import Look
 from plategait.simulation.run import simulate
-from plategait.vision.survey import Setup
+from plategait.vision.setup import Setup
 from plategait.vision.track import Track, track
 
 SETUP = Setup(plate_size=(SIDE, SIDE), fiducial=FIDUCIAL)
@@ -87,16 +87,19 @@ def test_no_confident_wrong_answer(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "frequency", "angle", "gait", "look"),
+    ("name", "frequency", "angle", "gait", "appearance"),
     [
-        pytest.param("pancake", 12.0, 12.0, "running", Look(), id="running"),
+        pytest.param("pancake", 12.0, 12.0, "running", Appearance(), id="running"),
         pytest.param(
-            "cheese", 24.0, 3.0, "walking", Look(hidden=0.3, drop=0.05, duplicate=0.05, jitter=0.1, noise=4.0, crf=28),
+            "cheese", 24.0, 3.0, "walking",
+            Appearance(hidden=0.3, drop=0.05, duplicate=0.05, jitter=0.1, noise=4.0, crf=28),
             id="walking, poorly filmed",
         ),
     ],
 )  # fmt: skip
-def test_bending_objects(name: str, frequency: float, angle: float, gait: str, look: Look, tmp_path: Path) -> None:
+def test_bending_objects(
+    name: str, frequency: float, angle: float, gait: str, appearance: Appearance, tmp_path: Path
+) -> None:
     scenario = preset(name).scenario.replace(
         **{
             "motion.frequency": frequency,
@@ -108,7 +111,7 @@ def test_bending_objects(name: str, frequency: float, angle: float, gait: str, l
     )
     run = simulate(scenario, snapshot_interval=scenario.motion.period / 24)
     assert run.gait == gait
-    truth = film(run, tmp_path / "clip.mp4", usual_camera(scenario, 960, 540), 30, look, seconds=2.0)
+    truth = film(run, tmp_path / "clip.mp4", usual_camera(scenario, 960, 540), 30, appearance, seconds=2.0)
     result = track(
         tmp_path / "clip.mp4",
         Setup(plate_size=truth.target.size, fiducial=truth.target.marker, plate_frequency=frequency),

@@ -14,7 +14,8 @@ from plategait.errors import InputError
 from plategait.model.outline import Mask, Rectangle
 from plategait.model.presets import preset
 from plategait.render import film, filmstrip
-from plategait.render.stage import Stage
+from plategait.render.painter import Painter
+from plategait.simulation.observables import Failure
 from plategait.simulation.run import simulate
 
 SCENARIO = preset("cheese").scenario.replace(**{"motion.frequency": 12.0, "motion.angle": 0.2, "duration": 0.5})
@@ -23,8 +24,8 @@ FLAT_POSE = np.zeros(6)
 
 
 @pytest.fixture(scope="module")
-def recording():
-    return simulate(SCENARIO, snapshot_interval=2e-3).recordings[0]
+def simulation():
+    return simulate(SCENARIO, snapshot_interval=2e-3)
 
 
 def nodes_at(height: float = 0.0, turn: float = 0.0) -> np.ndarray:
@@ -36,7 +37,7 @@ def nodes_at(height: float = 0.0, turn: float = 0.0) -> np.ndarray:
 
 
 def picture(nodes: np.ndarray) -> np.ndarray:
-    return np.asarray(Stage(SCENARIO, FLAT_POSE[None], SIZE).picture(nodes, FLAT_POSE), dtype=int)
+    return np.asarray(Painter(SCENARIO, FLAT_POSE[None], SIZE).picture(nodes, FLAT_POSE), dtype=int)
 
 
 def middle_of(pixels: np.ndarray, colour: tuple[int, int, int]) -> np.ndarray:
@@ -46,8 +47,8 @@ def middle_of(pixels: np.ndarray, colour: tuple[int, int, int]) -> np.ndarray:
     return np.array([columns.mean(), rows.mean()])
 
 
-def test_the_film_is_h264_of_the_length_and_size_asked_for(recording, tmp_path):
-    path = film(SCENARIO, recording, tmp_path / "run.mp4", size=SIZE, seconds=0.5, fps=20)
+def test_the_film_is_h264_of_the_length_and_size_asked_for(simulation, tmp_path):
+    path = film(simulation, tmp_path / "run.mp4", size=SIZE, seconds=0.5, fps=20)
     with av.open(str(path)) as container:
         stream = container.streams.video[0]
         assert stream.codec_context.name == "h264"
@@ -80,14 +81,14 @@ def test_the_plate_is_drawn_about_its_axis_below_the_surface():
     deep = SCENARIO.replace(**{"motion.height": 0.05})
     pose = np.array([0, 0, 0, 0.2, 0, 0.0])
     shifted = [
-        np.asarray(Stage(s, FLAT_POSE[None], SIZE).picture(nodes_at(-1.0), pose), dtype=int) for s in (SCENARIO, deep)
+        np.asarray(Painter(s, FLAT_POSE[None], SIZE).picture(nodes_at(-1.0), pose), dtype=int) for s in (SCENARIO, deep)
     ]
     assert np.abs(shifted[0] - shifted[1]).max() > 30
 
 
-def test_the_strip_has_its_panels(recording, tmp_path):
+def test_the_strip_has_its_panels(simulation, tmp_path):
     for panels in (4, 8):
-        with Image.open(filmstrip(SCENARIO, recording, tmp_path / f"{panels}.png", panels=panels)) as strip:
+        with Image.open(filmstrip(simulation, tmp_path / f"{panels}.png", panels=panels)) as strip:
             assert strip.width > 1900
             assert strip.height > 330 * (panels // 4)
 
@@ -101,27 +102,38 @@ def test_the_strip_has_its_panels(recording, tmp_path):
 )
 def test_other_outlines_are_drawn(outline, tmp_path):
     scenario = SCENARIO.replace(**{"sheet.outline": outline, "sheet.mass": 0.008, "duration": 0.2})
-    recording = simulate(scenario, snapshot_interval=2e-3).recordings[0]
-    with Image.open(filmstrip(scenario, recording, tmp_path / "s.png", panels=4)) as strip:
+    simulation = simulate(scenario, snapshot_interval=2e-3)
+    with Image.open(filmstrip(simulation, tmp_path / "s.png", panels=4)) as strip:
         assert (np.abs(np.asarray(strip, dtype=int) - (250, 196, 72)).max(axis=2) < 40).sum() > 5000
 
 
-def test_a_run_that_diverged_is_drawn_up_to_there(recording, tmp_path):
-    shapes = recording.snapshots.copy()
+def test_a_run_that_diverged_is_drawn_up_to_there(simulation, tmp_path):
+    shapes = simulation.recordings[0].snapshots.copy()
     shapes[len(shapes) * 3 // 4 :] = np.nan
-    with Image.open(filmstrip(SCENARIO, replace(recording, snapshots=shapes), tmp_path / "s.png", panels=4)) as strip:
+    diverged = replace(simulation, recordings=(replace(simulation.recordings[0], snapshots=shapes),))
+    with Image.open(filmstrip(diverged, tmp_path / "s.png", panels=4)) as strip:
         assert strip.width > 1900
 
 
-def test_what_cannot_be_filmed_is_refused_and_leaves_nothing(recording, tmp_path):
-    without = simulate(SCENARIO).recordings[0]
+def test_the_film_ends_where_the_run_was_observed_to_fail(simulation, tmp_path):
+    # What the simulation says counts, not what could be read off the recording anew.
+    observation = replace(simulation.observations[0], failure=Failure("slipped", 0.3))
+    failed = replace(simulation, observations=(observation,))
+    for observed, seconds in ((failed, 0.3), (simulation, 0.5)):
+        path = film(observed, tmp_path / "run.mp4", size=SIZE, fps=20, slow_motion=1)
+        with av.open(str(path)) as container:
+            assert sum(1 for _ in container.decode(video=0)) == round(20 * seconds)
+
+
+def test_what_cannot_be_filmed_is_refused_and_leaves_nothing(simulation, tmp_path):
+    without = simulate(SCENARIO)
     with pytest.raises(InputError, match="snapshot_interval"):
-        film(SCENARIO, without, tmp_path / "a.mp4")
+        film(without, tmp_path / "a.mp4")
     for path in (tmp_path / "a.avi", tmp_path / "missing" / "a.mp4"):
         with pytest.raises(InputError):
-            film(SCENARIO, recording, path)
+            film(simulation, path)
     with pytest.raises(InputError, match="size"):
-        film(SCENARIO, recording, tmp_path / "a.mp4", size=(321, 180))
+        film(simulation, tmp_path / "a.mp4", size=(321, 180))
     with pytest.raises(InputError, match="panels"):
-        filmstrip(SCENARIO, recording, tmp_path / "a.png", panels=0)
+        filmstrip(simulation, tmp_path / "a.png", panels=0)
     assert not list(tmp_path.iterdir())

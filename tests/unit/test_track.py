@@ -23,8 +23,8 @@ from plategait.errors import InputError
 from plategait.vision.frames import open_video
 from plategait.vision.object import parallax
 from plategait.vision.plate.swing import plate_swing
+from plategait.vision.setup import Setup
 from plategait.vision.spin import apparent_frequency, spin_of
-from plategait.vision.survey import Setup
 from plategait.vision.track import track as follow
 
 FREQUENCY, SWING = 11.0, math.radians(4)
@@ -140,15 +140,15 @@ def test_parallax_of_a_lifted_marker_is_taken_out() -> None:
     noise = np.random.default_rng(3).normal(size=(2, len(time)))
     angle = np.unwrap(np.arctan2(seen[:, 1], seen[:, 0])) + np.radians(0.2) * noise[0]
     apart = np.hypot(*seen.T) + 1e-4 * noise[1]
-    found = parallax.bending(time, angle, apart, np.zeros((len(time), 2)), eye, f)
+    found = parallax.rim_parallax(time, angle, apart, np.zeros((len(time), 2)), eye, f)
     assert found is not None
     before, after = (np.degrees(np.std(a - true)) for a in (angle, angle - found.turn))
     assert before > 2.5
     # The sign function has all harmonics of the turn; those left out hold some 0.3 deg, the noise 0.2 deg.
     assert after < 0.5
     # Of a few frames, or of an object that hardly turns, nothing can be said.
-    assert parallax.bending(time[:15], angle[:15], apart[:15], np.zeros((15, 2)), eye[:15], f) is None
-    assert parallax.bending(time, angle / 100, apart, np.zeros((120, 2)), eye, f) is None
+    assert parallax.rim_parallax(time[:15], angle[:15], apart[:15], np.zeros((15, 2)), eye[:15], f) is None
+    assert parallax.rim_parallax(time, angle / 100, apart, np.zeros((120, 2)), eye, f) is None
 
 
 @pytest.mark.linear_algebra

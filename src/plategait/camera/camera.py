@@ -158,10 +158,10 @@ class Camera:
 
     def project_with_depth(self, points: ArrayLike) -> tuple[Array, Array]:
         """Pixels (…, 2) and distance (…) along the view, m, of points (…, 3)."""
-        seen = np.asarray(points, dtype=float) @ self.rotation.T + self.translation
-        depth = seen[..., 2]
+        local = np.asarray(points, dtype=float) @ self.rotation.T + self.translation
+        depth = local[..., 2]
         ahead = np.where(depth > 1e-6, depth, np.nan)
-        return self.calibration.pixels(seen[..., :2] / ahead[..., None]), depth
+        return self.calibration.pixels(local[..., :2] / ahead[..., None]), depth
 
     def plane(self, origin: ArrayLike, u: ArrayLike, v: ArrayLike) -> Array:
         """(3, 3) homography from coordinates along `u` and `v` on the plane through `origin` (m) to pixels.

@@ -44,16 +44,16 @@ class Schedule:
 def schedule(
     seconds: float, fps: float, *, jitter: float = 0.0, drop: float = 0.0, duplicate: float = 0.0, seed: int = 0
 ) -> Schedule:
-    """Times of the frames in a film; see `Look` for what jitter, drop and duplicate mean."""
+    """Times of the frames in a film; see `Appearance` for what jitter, drop and duplicate mean."""
     generator = np.random.default_rng(seed)
     n = max(1, int(np.floor(seconds * fps + 1e-9)))
     intervals = np.maximum(1 + jitter * generator.normal(size=n), 0.2) / fps if jitter > 0 else np.full(n, 1 / fps)
     time = np.concatenate([[0.0], np.cumsum(intervals)[:-1]])
     time = np.round(time * CLOCK) / CLOCK
-    kept = generator.random(n) >= drop
+    retained = generator.random(n) >= drop
     repeated = generator.random(n) < duplicate
-    kept[0], repeated[0] = True, False
-    time, repeated = time[kept], repeated[kept]
+    retained[0], repeated[0] = True, False
+    time, repeated = time[retained], repeated[retained]
     source = np.maximum.accumulate(np.where(repeated, 0, np.arange(len(time))))
     return Schedule(time, time[source])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,7 +12,7 @@ from plategait.errors import InputError
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
-    from plategait.vision.survey import Setup
+    from plategait.vision.setup import Setup
 
 LENGTH = Quantity("m", "mm", "100 mm", above=0, at_most=10)
 _SCALE = Quantity("m", "mm", "0.2 mm", above=0, at_most=0.1)
@@ -40,33 +41,35 @@ Part = Annotated[
 ]
 
 
-def filmed_as(
-    *,
-    plate_size: str,
-    fiducial: str | None,
-    plate: str,
-    scale: str | None,
-    object_by: str,
-    fps: float | None,
-    calibration: Path | None,
-    seconds: str | None,
-    plate_frequency: float | None = None,
-) -> Setup:
-    """Set-up that the options tell, each read under its own name."""
-    from plategait.camera.camera import read_calibration
-    from plategait.vision.survey import Setup
+@dataclass(frozen=True)
+class FilmedOptions:
+    """How a clip was filmed, as it was typed."""
 
-    return Setup(
-        plate_size=read_size(plate_size),
-        fiducial=LENGTH.read(fiducial, "--fiducial") if fiducial is not None else None,
-        plate=plate,
-        scale=_SCALE.read(scale, "--scale") if scale is not None else None,
-        object=object_by,
-        calibration=read_calibration(calibration) if calibration is not None else None,
-        fps=fps,
-        plate_frequency=plate_frequency,
-        seconds=read_part(seconds),
-    )
+    plate_size: PlateSize = "100 mm"
+    fiducial: Fiducial = None
+    plate: PlateBy = "auto"
+    scale: Scale = None
+    object_by: ObjectBy = "auto"
+    fps: Fps = None
+    calibration: Lens = None
+    seconds: Part = None
+
+    def setup(self, plate_frequency: float | None = None) -> Setup:
+        """Set-up that the options tell, each read under its own name."""
+        from plategait.camera.camera import read_calibration
+        from plategait.vision.setup import Setup
+
+        return Setup(
+            plate_size=read_size(self.plate_size),
+            fiducial=LENGTH.read(self.fiducial, "--fiducial") if self.fiducial is not None else None,
+            plate=self.plate,
+            scale=_SCALE.read(self.scale, "--scale") if self.scale is not None else None,
+            object=self.object_by,
+            calibration=read_calibration(self.calibration) if self.calibration is not None else None,
+            fps=self.fps,
+            plate_frequency=plate_frequency,
+            seconds=read_part(self.seconds),
+        )
 
 
 def read_part(text: str | None) -> float | None:

@@ -120,6 +120,6 @@ def _write_pictures(
         from plategait import render
 
         if film:
-            render.film(result.scenario, result.recordings[0], film)
+            render.film(result, film)
         if filmstrip:
-            render.filmstrip(result.scenario, result.recordings[0], filmstrip)
+            render.filmstrip(result, filmstrip)

@@ -11,30 +11,25 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from plategait.cli import filmed, options, report
+from plategait.cli.groups import grouped
 from plategait.errors import InputError
 from plategait.files.output import check_outputs
 from plategait.units import FREQUENCY
 
 if TYPE_CHECKING:
-    from plategait.vision.survey import Setup
+    from plategait.vision.setup import Setup
     from plategait.vision.track import Track
 
 _FILMS = (".mp4", ".mkv", ".mov")
 
 
+@grouped
 def track(
     video: Annotated[str, typer.Argument(metavar="VIDEO", help="A video file, or the number of a camera.")],
-    plate_size: filmed.PlateSize = "100 mm",
-    fiducial: filmed.Fiducial = None,
-    plate: filmed.PlateBy = "auto",
-    scale: filmed.Scale = None,
-    object_by: filmed.ObjectBy = "auto",
+    filmed_as: filmed.FilmedOptions,
     frequency: Annotated[
         str | None, typer.Option("--frequency", help='Of the plate: "24 Hz". Measured where the frame rate allows.')
     ] = None,
-    fps: filmed.Fps = None,
-    calibration: filmed.Lens = None,
-    seconds: filmed.Part = None,
     preview: Annotated[
         Path | None, typer.Option("--preview", help="Write a film with what was tracked drawn over it: .mp4.")
     ] = None,
@@ -49,11 +44,7 @@ def track(
     filmed.require_opencv()
     from plategait.vision.track import track as follow_object
 
-    setup = filmed.filmed_as(
-        plate_size=plate_size, fiducial=fiducial, plate=plate, scale=scale, object_by=object_by, fps=fps,
-        calibration=calibration, seconds=seconds,
-        plate_frequency=FREQUENCY.read(frequency, "--frequency") if frequency is not None else None,
-    )  # fmt: skip
+    setup = filmed_as.setup(FREQUENCY.read(frequency, "--frequency") if frequency is not None else None)
     with ExitStack() as open_files:
         follow = open_files.enter_context(_preview(preview, setup)) if preview else None
         progress = open_files.enter_context(report.progress_bar("tracking"))

@@ -29,23 +29,23 @@ def track_strip(
     filmed.require_opencv()
     from plategait.vision.strip import track_cantilever
 
-    seen = track_cantilever(
+    track = track_cantilever(
         film, fps=fps, seconds=filmed.read_part(seconds),
         link_length=_LINK.read(link_length, "--link-length") if link_length is not None else None,
     )  # fmt: skip
     if out:
-        seen.write(out)
-    sure, n = int(seen.sure.sum()), len(seen.sure)
-    scale = None if seen.scale is None else 1e3 * seen.scale
+        track.write(out)
+    sure, n = int(track.sure.sum()), len(track.sure)
+    scale = None if track.scale is None else 1e3 * track.scale
     if as_json:
         return report.print_json({
-            "clip": film, "frames": n, "sure_frames": sure, "duration_s": float(seen.time[-1]), "mm_per_pixel": scale,
-            "notes": list(seen.notes), "out": str(out) if out else None,
+            "clip": film, "frames": n, "sure_frames": sure, "duration_s": float(track.time[-1]), "mm_per_pixel": scale,
+            "notes": list(track.notes), "out": str(out) if out else None,
         })  # fmt: skip
     print(
-        f"{film}: three markers in {sure} of {n} frames over {seen.time[-1]:.3g} s"
+        f"{film}: three markers in {sure} of {n} frames over {track.time[-1]:.3g} s"
         + (f", a pixel is {scale:.3g} mm" if scale else "")
         + (f"; try plategait identify bending {out}" if out else "")
     )
-    for note in seen.notes:
+    for note in track.notes:
         print(note)

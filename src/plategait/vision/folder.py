@@ -15,7 +15,7 @@ from plategait.curve.curve import Curve
 from plategait.curve.protocol import USUAL
 from plategait.errors import InputError
 from plategait.files.table import read_rows
-from plategait.vision.survey import Setup
+from plategait.vision.setup import Setup
 from plategait.vision.track import Track, track
 
 CLIPS = (".mp4", ".mov", ".avi", ".mkv", ".m4v", ".webm", ".mpg", ".mpeg", ".mts")
@@ -25,11 +25,23 @@ _IN_NAME = re.compile(r"(?<![\d.,])(\d+(?:[.,p]\d+)?)[\s_-]*hz", re.IGNORECASE)
 
 @dataclass(frozen=True, eq=False)
 class Clip:
-    """One clip of a folder: the plate frequency, where it comes from, and the track or why there is none."""
+    """One clip of a folder.
+
+    Attributes
+    ----------
+    path : Path
+    frequency : float
+        Of the plate, Hz; NaN where unknown.
+    source : str
+        Of the frequency: "given" by a table or the clip's name, or "measured" on the plate.
+    track : Track or None
+    trouble : str
+        Why there is no track or no rate; empty where there is one.
+    """
 
     path: Path
     frequency: float
-    known_by: str
+    source: str
     track: Track | None
     trouble: str = ""
 
@@ -49,11 +61,13 @@ def frequency_in_name(path: Path) -> float | None:
     InputError
         When the name tells two different ones.
     """
-    found = {float(text.replace(",", ".").replace("p", ".").replace("P", ".")) for text in _IN_NAME.findall(path.stem)}
-    if len(found) > 1:
-        listed = " and ".join(f"{f:g}" for f in sorted(found))
+    frequencies = {
+        float(text.replace(",", ".").replace("p", ".").replace("P", ".")) for text in _IN_NAME.findall(path.stem)
+    }
+    if len(frequencies) > 1:
+        listed = " and ".join(f"{f:g}" for f in sorted(frequencies))
         raise InputError("clip", f"{path.name}, which tells {listed} Hz", "a name with one frequency", "24Hz.mp4")
-    return found.pop() if found else None
+    return frequencies.pop() if frequencies else None
 
 
 def read_frequencies(path: Path | str) -> dict[str, float]:
@@ -70,18 +84,18 @@ def read_frequencies(path: Path | str) -> dict[str, float]:
     heading = rows[0] if rows else []
     if len(rows) < 2 or not {"clip", "frequency_hz"} <= set(heading):
         raise InputError("--frequencies", str(path), "a table of clip and frequency_hz", example)
-    known = {}
+    frequencies = {}
     for row in rows[1:]:
         cells = dict(zip(heading, row, strict=False))
-        clip, given = cells.get("clip", ""), cells.get("frequency_hz", "")
+        clip, text = cells.get("clip", ""), cells.get("frequency_hz", "")
         try:
-            value = float(given)
+            value = float(text)
         except ValueError:
             value = math.nan
         if not 0 < value < math.inf:
-            raise InputError(f"{path.name}, {clip}", given, "a frequency above 0 Hz", "24.0")
-        known[Path(clip).stem] = value
-    return known
+            raise InputError(f"{path.name}, {clip}", text, "a frequency above 0 Hz", "24.0")
+        frequencies[Path(clip).stem] = value
+    return frequencies
 
 
 def clips_in(folder: Path | str) -> list[Path]:
@@ -95,10 +109,10 @@ def clips_in(folder: Path | str) -> list[Path]:
     folder = Path(folder)
     if not os.path.isdir(folder):  # as `is_dir`, but for names too long
         raise InputError("FOLDER", str(folder), "a folder of clips", "clips/ with 14Hz.mp4, 16Hz.mp4, …")
-    found = sorted(p for p in folder.iterdir() if p.suffix.lower() in CLIPS and not p.name.startswith("."))
-    if not found:
+    clips = sorted(p for p in folder.iterdir() if p.suffix.lower() in CLIPS and not p.name.startswith("."))
+    if not clips:
         raise InputError("FOLDER", f"{folder} without a clip", f"a folder of {', '.join(CLIPS[:4])}", "clips/24Hz.mp4")
-    return found
+    return clips
 
 
 def track_folder(
@@ -111,7 +125,7 @@ def track_folder(
     """Follow the object in every clip of a folder.
 
     The plate frequency comes from the table given, else from the file's name, else from the plate as it was seen. A
-    clip that cannot be followed is kept with the reason, so that one bad clip costs no other.
+    clip that cannot be followed stays in the list with the reason, so that one bad clip costs no other.
 
     Parameters
     ----------
@@ -129,25 +143,25 @@ def track_folder(
         When the folder has no clips, or a name tells two frequencies.
     """
     paths = clips_in(folder)
-    told = [(frequencies or {}).get(path.stem, frequency_in_name(path)) for path in paths]
+    given = [(frequencies or {}).get(path.stem, frequency_in_name(path)) for path in paths]
     clips = []
-    for i, (path, frequency) in enumerate(zip(paths, told, strict=True)):
+    for i, (path, frequency) in enumerate(zip(paths, given, strict=True)):
 
         def report(done: float, i: int = i) -> None:
             if progress is not None:
                 progress((i + done) / len(paths))
 
         try:
-            seen = track(path, replace(setup, plate_frequency=frequency), progress=report)
+            result = track(path, replace(setup, plate_frequency=frequency), progress=report)
         except InputError as error:
-            clips.append(Clip(path, frequency or math.nan, "told", None, str(error)))
+            clips.append(Clip(path, frequency or math.nan, "given", None, str(error)))
             continue
-        known_by = "told" if frequency is not None else "seen"
-        used = seen.plate_frequency if frequency is None else frequency
-        trouble = seen.spin.reason if math.isnan(seen.spin.rate) else ""
+        source = "given" if frequency is not None else "measured"
+        used = result.plate_frequency if frequency is None else frequency
+        trouble = result.spin.reason if math.isnan(result.spin.rate) else ""
         if math.isnan(used):
             trouble = "its plate frequency is neither in the name nor to be seen"
-        clips.append(Clip(path, used, known_by, seen, trouble))
+        clips.append(Clip(path, used, source, result, trouble))
     return clips
 
 
@@ -159,20 +173,20 @@ def curve_of_clips(clips: list[Clip], name: str) -> Curve:
     InputError
         When no clip gave a frequency.
     """
-    kept = sorted((c for c in clips if math.isfinite(c.frequency)), key=lambda c: c.frequency)
-    if not kept:
+    placed = sorted((c for c in clips if math.isfinite(c.frequency)), key=lambda c: c.frequency)
+    if not placed:
         raise InputError(
             "FOLDER", "clips of unknown plate frequency", "clips named by it", "24Hz.mp4, or --frequencies FILE"
         )
 
     def rates(of: Callable[[Track], float]) -> np.ndarray:
-        return np.degrees([math.nan if c.track is None or c.failure else of(c.track) for c in kept])
+        return np.degrees([math.nan if c.track is None or c.failure else of(c.track) for c in placed])
 
     return Curve(
         name=name,
-        frequency_hz=np.array([c.frequency for c in kept]),
+        frequency_hz=np.array([c.frequency for c in placed]),
         spin_rate_deg_s=rates(lambda t: t.spin.rate),
         spin_rate_sd_deg_s=rates(lambda t: (t.spin.high - t.spin.low) / (2 * 1.96)),
-        gait=("",) * len(kept),
-        failure=tuple(c.failure for c in kept),
+        gait=("",) * len(placed),
+        failure=tuple(c.failure for c in placed),
     )

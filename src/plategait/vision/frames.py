@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from plategait.arrays import Picture
+from plategait.arrays import Array, Flags, Picture
 from plategait.errors import InputError
 
 # Pixels that differ by more levels than this count as changed: a codec changes a repeated picture by less.
@@ -26,6 +26,8 @@ MISSING = 1.5
 MOST_DAMAGED = 50
 # A file that says it lasts longer than its frames by this has lost some, s.
 CUT_SHORT = 0.25
+# A picture that changes by less than this share of the usual change repeats the one before it.
+REPEATED = 0.03
 _WORKS = "clip.mp4"
 
 
@@ -128,17 +130,8 @@ def open_video(source: Path | str, *, fps: float | None = None, seconds: float |
 
 @contextmanager
 def _file(path: Path, fps: float | None, seconds: float | None) -> Iterator[Video]:
-    import av
-    from av.error import FFmpegError
-
-    if not os.path.isfile(path):  # as `is_file`, but for names too long
-        raise InputError("video", str(path), "a video file that exists, or the number of a camera", _WORKS)
-    try:
-        container = av.open(str(path))
-    except (FFmpegError, OSError, ValueError) as error:
-        said = getattr(error, "strerror", None) or error
-        raise InputError("video", f"{path} ({said})", "a video that can be read, whole to its end", _WORKS) from None
-    with container:
+    """Open a video file."""
+    with _container(path) as container:
         if not container.streams.video:
             what = "sound only" if container.streams.audio else "nothing to see"
             raise InputError("video", f"{path} ({what})", "a file with pictures in it", _WORKS)
@@ -149,34 +142,61 @@ def _file(path: Path, fps: float | None, seconds: float | None) -> Iterator[Vide
         width, height = context.width // 2 * 2, context.height // 2 * 2
         if min(width, height) < 32:
             raise InputError("video", f"{path} ({width} × {height} pixels)", "pictures of 32 pixels or more", _WORKS)
+        slowed = nominal / fps if fps and nominal else 1.0
 
         def read(video: Video) -> Iterator[Frame]:
-            count, slow, last = 0, nominal / fps if fps and nominal else 1.0, -1e-9
-            first = math.nan
-            for picture in _decoded(container, stream, video.notes):
-                stamp = picture.time
-                if stamp is None:
-                    if "frames without a time of their own" not in video.notes:
-                        video.notes.append("frames without a time of their own")
-                    stamp = count / (nominal or 30.0) + (0.0 if count == 0 else first)
-                if count == 0:
-                    first = stamp
-                moment = (stamp - first) * slow
-                if moment <= last:  # a stamp that runs backwards says nothing
-                    continue
-                if seconds is not None and moment > seconds:
-                    break
-                last = moment
+            count, last = 0, 0.0
+            pictures = _decoded(container, stream, video.notes)
+            for moment, picture in _timed(pictures, nominal, slowed, seconds, video.notes):
                 yield _frame_of(picture, count, moment, width, height)
-                count += 1
+                count, last = count + 1, moment
             if count == 0:
                 raise InputError("video", f"{path} (no picture in it)", "a video with at least one frame", _WORKS)
-            said = (container.duration or 0) / 1e6 * slow  # the container counts in microseconds
-            if seconds is None and (video.length > count + 1 or said > last + CUT_SHORT):
-                whole = f"{video.length} frames" if video.length else f"{said:.2f} s"
+            duration = (container.duration or 0) / 1e6 * slowed  # the container counts in microseconds
+            if seconds is None and (video.length > count + 1 or duration > last + CUT_SHORT):
+                whole = f"{video.length} frames" if video.length else f"{duration:.2f} s"
                 video.notes.append(f"cut short: {count} frames, {last:.2f} s, of {whole}")
 
         yield Video(path.name, width, height, fps or nominal, stream.frames, read)
+
+
+def _container(path: Path) -> Any:
+    """What FFmpeg makes of a file."""
+    import av
+    from av.error import FFmpegError
+
+    if not os.path.isfile(path):  # as `is_file`, but for names too long
+        raise InputError("video", str(path), "a video file that exists, or the number of a camera", _WORKS)
+    try:
+        return av.open(str(path))
+    except (FFmpegError, OSError, ValueError) as error:
+        message = getattr(error, "strerror", None) or error
+        raise InputError("video", f"{path} ({message})", "a video that can be read, whole to its end", _WORKS) from None
+
+
+def _timed(
+    pictures: Iterator[Any], nominal: float, slowed: float, seconds: float | None, notes: list[str]
+) -> Iterator[tuple[float, Any]]:
+    """Pictures with the time from the first, s, `slowed` times that of the file; those whose stamps run backwards not.
+
+    A picture without a time comes at the nominal rate, per second.
+    """
+    count, first, last = 0, math.nan, -1e-9
+    for picture in pictures:
+        stamp = picture.time
+        if stamp is None:
+            if "frames without a time of their own" not in notes:
+                notes.append("frames without a time of their own")
+            stamp = count / (nominal or 30.0) + (0.0 if count == 0 else first)
+        if count == 0:
+            first = stamp
+        moment = (stamp - first) * slowed
+        if moment <= last:  # a stamp that runs backwards says nothing
+            continue
+        if seconds is not None and moment > seconds:
+            break
+        yield moment, picture
+        count, last = count + 1, moment
 
 
 def _decoded(container: Any, stream: Any, notes: list[str]) -> Iterator[Any]:
@@ -233,9 +253,9 @@ def _camera(index: int, seconds: float) -> Iterator[Video]:
         def read(video: Video) -> Iterator[Frame]:
             begun, count = clock.monotonic(), 0
             while True:
-                seen, bgr = device.read()
+                taken, bgr = device.read()
                 moment = clock.monotonic() - begun
-                if not seen or moment > seconds:
+                if not taken or moment > seconds:
                     break
                 planes = cv2.cvtColor(bgr[:height, :width], cv2.COLOR_BGR2YUV_I420).astype(np.uint8, copy=False)
                 quarter = height * width // 4
@@ -264,3 +284,8 @@ def _compared(frames: Iterator[Frame]) -> Iterator[Frame]:
             frame = replace(frame, change=cv2.countNonZero(differs) / thin.size)
         before = thin
         yield frame
+
+
+def repeats(changes: Array) -> Flags:
+    """Frames (n,) that repeat the picture before, by the share of pixels (n,) that changed in each."""
+    return np.asarray(changes < REPEATED * np.median(changes), dtype=bool)

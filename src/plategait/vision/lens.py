@@ -13,13 +13,13 @@ from plategait.errors import InputError
 from plategait.vision.frames import Frame
 
 
-def zoomed(calibration: Calibration, width: int) -> NDArray[np.float64]:
+def scaled_matrix(calibration: Calibration, width: int) -> NDArray[np.float64]:
     """(3, 3) focal lengths and middle, px, for pictures of another width. Whole numbers are the middles of pixels."""
     share = width / calibration.width
     return np.array([[share, 0, (share - 1) / 2], [0, share, (share - 1) / 2], [0, 0, 1.0]]) @ calibration.matrix
 
 
-def straightener(calibration: Calibration | None, width: int, height: int) -> Callable[[Frame], Frame]:
+def undistorter(calibration: Calibration | None, width: int, height: int) -> Callable[[Frame], Frame]:
     """Give what takes a lens's distortion out of frames of this size, px; frames as they are without a calibration.
 
     Raises
@@ -39,13 +39,13 @@ def straightener(calibration: Calibration | None, width: int, height: int) -> Ca
     maps = []
     # Planes of brightness, and of colour at half the size.
     for size in ((width, height), (width // 2, height // 2)):
-        K = zoomed(calibration, size[0])
+        K = scaled_matrix(calibration, size[0])
         maps.append(cv2.initUndistortRectifyMap(K, calibration.distortion, None, K, size, cv2.CV_16SC2))
 
-    def straighten(frame: Frame) -> Frame:
+    def undistort(frame: Frame) -> Frame:
         (x, y), (half_x, half_y) = maps
         luma = cv2.remap(frame.luma, x, y, cv2.INTER_LINEAR)
         u, v = (cv2.remap(plane, half_x, half_y, cv2.INTER_LINEAR, borderValue=(128,)) for plane in frame.chroma)
         return replace(frame, luma=luma, chroma=(u, v))
 
-    return straighten
+    return undistort

@@ -19,7 +19,7 @@ from plategait.vision.plate.view import PlateView, project
 
 if TYPE_CHECKING:
     from plategait.camera.writer import FilmWriter
-    from plategait.vision.track import FollowFrame, Track
+    from plategait.vision.track import FrameCallback, Track
 
 # Blue, green, red.
 SURE, UNSURE, PLATE = (60, 200, 40), (40, 60, 240), (220, 150, 40)
@@ -29,7 +29,7 @@ QUALITY, USUAL_FPS = 24, 30.0
 
 
 @contextmanager
-def preview(path: Path | str, size: tuple[float, float], fps: float = USUAL_FPS) -> Iterator[FollowFrame]:
+def preview(path: Path | str, size: tuple[float, float], fps: float = USUAL_FPS) -> Iterator[FrameCallback]:
     """Write a film of what is tracked; gives what `plategait.vision.track.track` takes as `follow`.
 
     Sure poses are green, uncertain ones red with the reason; the plate is blue.
@@ -55,7 +55,7 @@ def preview(path: Path | str, size: tuple[float, float], fps: float = USUAL_FPS)
 
         def follow(frame: Frame, view: PlateView, pose: Pose) -> None:
             nonlocal writer
-            picture = drawn(frame, view, pose, size)
+            picture = overlaid(frame, view, pose, size)
             if writer is None:  # the size is known by the first picture
                 height, width = picture.shape[:2]
                 writer = open_files.enter_context(film_file(path, (width, height), fps, QUALITY))
@@ -64,7 +64,7 @@ def preview(path: Path | str, size: tuple[float, float], fps: float = USUAL_FPS)
         yield follow
 
 
-def drawn(frame: Frame, view: PlateView, pose: Pose, size: tuple[float, float]) -> NDArray[np.uint8]:
+def overlaid(frame: Frame, view: PlateView, pose: Pose, size: tuple[float, float]) -> NDArray[np.uint8]:
     """(height, width, 3) picture of a frame with the plate's outline, the object's pose, and why it is uncertain."""
     import cv2
 
@@ -81,10 +81,10 @@ def drawn(frame: Frame, view: PlateView, pose: Pose, size: tuple[float, float]) 
             if math.isfinite(pose.angle):
                 tip = middle + 0.3 * min(size) * np.array([math.cos(pose.angle), math.sin(pose.angle)])
                 _line(picture, project(view.homography, np.stack([middle, tip])), colour, width, False)
-    words = f"{frame.time:.3f} s   {pose.reason or 'sure'}"
+    text = f"{frame.time:.3f} s   {pose.reason or 'sure'}"
     place, scale = (6 * width, picture.shape[0] - 6 * width), picture.shape[0] / 900
     for colour, thick in (((255, 255, 255), 3 * width), (UNSURE if pose.reason else (30, 30, 30), width)):
-        cv2.putText(picture, words, place, cv2.FONT_HERSHEY_SIMPLEX, scale, colour, thick, cv2.LINE_AA)
+        cv2.putText(picture, text, place, cv2.FONT_HERSHEY_SIMPLEX, scale, colour, thick, cv2.LINE_AA)
     return picture
 
 

@@ -22,17 +22,17 @@ FEWEST_SURE, LEAST_SHARE = 12, 0.2
 # Least agreement of the steps from frame to frame (length of their mean direction) that can be followed.
 LEAST_AGREEMENT = 0.6
 # A rate that fits the steps this much less well than the best is told apart from it.
-TOLD_APART = 0.95
+DISTINGUISHABLE = 0.95
 # A turn between frames above this share of half of what the eye can tell may be a turn the other way.
 MOST_TURN = 0.85
-# Steps, before and after, that foretell the turn across a gap; how much the rate may change over it; most doubt.
+# Steps, before and after, that predict the turn across a gap; how much the rate may change over it; most doubt.
 NEIGHBOURS, RATE_CHANGE, MOST_DOUBT = 15, 0.15, 0.6 * math.pi
-# Swing of the object within a plate period that is allowed for where it cannot be seen, rad.
+# Swing of the object within a plate period that the interval is widened for where it cannot be seen, rad.
 SWING = math.radians(5)
 # Widest half interval of a rate: as a share of it, or rad/s.
 MOST_HALF, MOST_HALF_RATE = 0.3, math.radians(20)
-# A frame is a stray by this many times the usual scatter about its neighbours, and by no less than this angle, rad.
-STRAY_FACTOR, STRAY, STRAY_NEIGHBOURS = 6.0, math.radians(6), 5
+# A frame is an outlier by this many times the usual scatter about its neighbours, and by no less than this angle, rad.
+OUTLIER_FACTOR, OUTLIER, OUTLIER_NEIGHBOURS = 6.0, math.radians(6), 5
 # Sure frames in a block of time, at least on average.
 FRAMES_PER_BLOCK = 6
 # Steps that the search for the rate looks at, and Huber's constant for robust fits.
@@ -105,38 +105,31 @@ def spin_of(
     """
     share = float(sure.mean()) if len(sure) else 0.0
     if sure.sum() < FEWEST_SURE or share < LEAST_SHARE:
-        return _none(f"only {int(sure.sum())} of {len(sure)} frames are sure")
+        return _no_rate(f"only {int(sure.sum())} of {len(sure)} frames are sure")
     t, phase = time[sure], symmetry * angle[sure]
-    interval = np.diff(t)
-    rate, agreement, rivals = rate_of_steps(interval, np.diff(phase))
+    rate, agreement, rivals = rate_of_steps(np.diff(t), np.diff(phase))
     if agreement < LEAST_AGREEMENT:
-        return _none("the object turns too differently from frame to frame to be followed")
-    base = _base(interval)
+        return _no_rate("the object turns too differently from frame to frame to be followed")
+    base = _frame_interval(np.diff(t))
     if abs(rate) * base > MOST_TURN * math.pi:
-        return _none("the object turns so far between frames that it may turn either way")
-    line, part = joined(t, phase, rate)
+        return _no_rate("the object turns so far between frames that it may turn either way")
+    line, part = unwrapped(t, phase, rate)
     line = line / symmetry
     notes = []
     if part[-1] > 0:
         notes.append(f"turns may be missed over {part[-1]} gaps; the rate is that of the parts between them")
-    fps = fps or 1 / base
-    swing, allowed = _swing(plate_frequency, fps, float(t[-1] - t[0]), notes)
+    swing, margin = _swing(plate_frequency, fps or 1 / base, float(t[-1] - t[0]), notes)
     smooth, slope = fitted(t, line, part, swing)
     if abs(slope - rate / symmetry) > max(0.25 * abs(rate) / symmetry, 0.3 * math.pi / base / symmetry):
-        return _none("the steps between frames and the whole clip give two different rates")
-    slopes, weights = _block_slopes(t, smooth, part)
-    if len(slopes) < 2:
-        return _none("too short for an interval")
-    spread = math.sqrt(float(np.average((slopes - slope) ** 2, weights=weights)) * len(slopes) / (len(slopes) - 1))
-    half = student_95(len(slopes) - 1) * spread / math.sqrt(len(slopes)) + allowed
+        return _no_rate("the steps between frames and the whole clip give two different rates")
+    half, spread = _uncertainty(t, smooth, part, slope)
+    if math.isnan(half):
+        return _no_rate("too short for an interval")
+    half += margin
     if half > max(MOST_HALF * abs(slope), MOST_HALF_RATE):
-        return _none(f"the rate scatters by {math.degrees(half):.0f} deg/s about {math.degrees(slope):.0f} deg/s")
-    middle = (t[0] + t[-1]) / 2
-    settled = False
-    if min(np.sum(t < middle), np.sum(t >= middle)) >= 3:
-        first, last = (fitted(t[w], smooth[w], part[w], ())[1] for w in (t < middle, t >= middle))
-        settled = abs(last - first) <= max(SETTLED_SHARE * abs(slope), SETTLED_RATE, 2 * half)
+        return _no_rate(f"the rate scatters by {math.degrees(half):.0f} deg/s about {math.degrees(slope):.0f} deg/s")
     aliases = tuple(slope + (r - rate) / symmetry for r in rivals)
+    settled = _settled(t, smooth, part, max(SETTLED_SHARE * abs(slope), SETTLED_RATE, 2 * half))
     return Spin(slope, slope - half, slope + half, settled, spread, aliases, "", tuple(notes))
 
 
@@ -151,7 +144,7 @@ def rate_of_steps(interval: Array, step: Array) -> tuple[float, float, tuple[flo
     if len(step) > MOST_STEPS:
         few = np.linspace(0, len(step) - 1, MOST_STEPS).astype(int)
         interval, step = interval[few], step[few]
-    base = _base(interval)
+    base = _frame_interval(interval)
     # Long gaps make narrow peaks, which a changing rate would smear: they tell nothing here.
     near = interval < 3.5 * base
     interval, step = interval[near], step[near]
@@ -164,17 +157,17 @@ def rate_of_steps(interval: Array, step: Array) -> tuple[float, float, tuple[flo
     agreement = float(abs(np.mean(np.exp(1j * (step - best * interval)))))
     rivals = [best + k * spacing for k in (-1, 1)]
     fit = [float(np.mean(np.cos(step - w * interval))) for w in (best, *rivals)]
-    return best, agreement, tuple(w for w, f in zip(rivals, fit[1:], strict=True) if f > TOLD_APART * fit[0])
+    return best, agreement, tuple(w for w, f in zip(rivals, fit[1:], strict=True) if f > DISTINGUISHABLE * fit[0])
 
 
-def joined(time: Array, phase: Array, rate: float) -> tuple[Array, NDArray[np.intp]]:
+def unwrapped(time: Array, phase: Array, rate: float) -> tuple[Array, NDArray[np.intp]]:
     """Angles without their jumps by whole circles, and the number of the part that each belongs to.
 
-    A step is foretold from its neighbours' rate. Where it lasts so long that the foretelling may be half a turn off,
+    A step is predicted from its neighbours' rate. Where it lasts so long that the prediction may be half a turn off,
     a new part begins, whose turns to the one before are unknown.
     """
     interval = np.diff(time)
-    base = _base(interval)
+    base = _frame_interval(interval)
     error = _wrapped(np.diff(phase) - rate * interval)
     close = interval < 2.5 * base
     excess = np.where(close, error / interval, np.nan)
@@ -184,23 +177,23 @@ def joined(time: Array, phase: Array, rate: float) -> tuple[Array, NDArray[np.in
         around = around[np.isfinite(around)]
         local[k] = np.median(around) if len(around) else 0.0
         spread[k] = 1.48 * np.median(np.abs(around - local[k])) * base if len(around) else math.pi
-    foretold = (rate + local) * interval
-    step = foretold + _wrapped(np.diff(phase) - foretold)
+    predicted = (rate + local) * interval
+    step = predicted + _wrapped(np.diff(phase) - predicted)
     doubt = 2 * spread + np.where(close, 0.0, RATE_CHANGE * np.abs(rate + local) * interval)
     breaks = doubt > np.where(close, math.pi, MOST_DOUBT)
     part = np.concatenate([[0], np.cumsum(breaks)])
     return phase[0] + np.concatenate([[0.0], np.cumsum(step)]), part
 
 
-def strays(time: Array, angle: Array, part: NDArray[np.intp], plate_frequency: float | None, fps: float) -> Flags:
+def outliers(time: Array, angle: Array, part: NDArray[np.intp], plate_frequency: float | None, fps: float) -> Flags:
     """Frames whose angle, joined to a line, is far out of line with those around it: wrongly seen."""
     swing = _swing(plate_frequency, fps, float(np.ptp(time)), [])[0]
     smooth, slope = fitted(time, angle, part, swing)
     off = smooth - slope * time
-    padded = np.pad(off, STRAY_NEIGHBOURS, mode="reflect")
-    local = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * STRAY_NEIGHBOURS + 1), axis=1)
+    padded = np.pad(off, OUTLIER_NEIGHBOURS, mode="reflect")
+    local = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * OUTLIER_NEIGHBOURS + 1), axis=1)
     off = np.abs(off - local)
-    return off > max(STRAY_FACTOR * 1.48 * float(np.median(off)), STRAY)
+    return off > max(OUTLIER_FACTOR * 1.48 * float(np.median(off)), OUTLIER)
 
 
 def fitted(time: Array, angle: Array, part: NDArray[np.intp], swing: tuple[float, ...]) -> tuple[Array, float]:
@@ -214,32 +207,32 @@ def fitted(time: Array, angle: Array, part: NDArray[np.intp], swing: tuple[float
     waves = [wave(2 * math.pi * f * time) for f in swing for wave in (np.cos, np.sin)]
     A = np.column_stack(columns + waves)
     weight = np.ones(len(time))
-    found = np.zeros(A.shape[1])
+    solution = np.zeros(A.shape[1])
     for _ in range(5):
         root = np.sqrt(weight)
-        found = np.linalg.lstsq(A * root[:, None], angle * root, rcond=None)[0]
-        missed = np.abs(angle - A @ found)
-        scale = 1.48 * float(np.median(missed))
+        solution = np.linalg.lstsq(A * root[:, None], angle * root, rcond=None)[0]
+        residual = np.abs(angle - A @ solution)
+        scale = 1.48 * float(np.median(residual))
         if scale < 1e-9:
             break
-        weight = np.minimum(1.0, HUBER * scale / np.maximum(missed, 1e-12))
-    waved = A[:, len(columns) :] @ found[len(columns) :]
-    return angle - waved, float(found[0])
+        weight = np.minimum(1.0, HUBER * scale / np.maximum(residual, 1e-12))
+    waved = A[:, len(columns) :] @ solution[len(columns) :]
+    return angle - waved, float(solution[0])
 
 
 def _swing(frequency: float | None, fps: float, duration: float, notes: list[str]) -> tuple[tuple[float, ...], float]:
     """Frequencies, Hz, of the swing that can be fitted, and what the rest of it may do to the rate, rad/s."""
     if frequency is None:
         return (), 0.0
-    seen: list[float] = []
-    allowed = 0.0
+    frequencies: list[float] = []
+    margin = 0.0
     for order in (1, 2):
         f = apparent_frequency(order * frequency, fps)
         beats = f * duration
         if beats >= 1.0:
             # Two of one frequency, or one at half the frame rate, cannot be told apart from each other.
-            if all(abs(f - g) * duration >= 1.0 for g in seen) and (fps / 2 - f) * duration >= 0.5:
-                seen.append(f)
+            if all(abs(f - g) * duration >= 1.0 for g in frequencies) and (fps / 2 - f) * duration >= 0.5:
+                frequencies.append(f)
         else:
             bias = SWING / order * min(2 * math.pi * f, 4 / duration)
             if bias > 0.0 and beats > 1e-3:
@@ -248,8 +241,27 @@ def _swing(frequency: float | None, fps: float, duration: float, notes: list[str
                     f"{name} is near a multiple of the frame rate: a swing is seen as one of {f:.3g} Hz, slower than "
                     f"the clip lasts; the interval is wider for it"
                 )
-            allowed += bias
-    return tuple(seen), allowed
+            margin += bias
+    return tuple(frequencies), margin
+
+
+def _uncertainty(time: Array, angle: Array, part: NDArray[np.intp], slope: float) -> tuple[float, float]:
+    """Half the 95 % interval of a slope by those of blocks of time, and their spread, rad/s; NaN for too few blocks."""
+    slopes, weights = _block_slopes(time, angle, part)
+    n = len(slopes)
+    if n < 2:
+        return math.nan, math.nan
+    spread = math.sqrt(float(np.average((slopes - slope) ** 2, weights=weights)) * n / (n - 1))
+    return student_95(n - 1) * spread / math.sqrt(n), spread
+
+
+def _settled(time: Array, angle: Array, part: NDArray[np.intp], tolerance: float) -> bool:
+    """Whether the slopes of both halves agree within a tolerance, rad/s."""
+    first = time < (time[0] + time[-1]) / 2
+    if min(np.sum(first), np.sum(~first)) < 3:
+        return False
+    before, after = (fitted(time[half], angle[half], part[half], ())[1] for half in (first, ~first))
+    return abs(after - before) <= tolerance
 
 
 def _block_slopes(time: Array, angle: Array, part: NDArray[np.intp]) -> tuple[Array, Array]:
@@ -270,7 +282,7 @@ def _block_slopes(time: Array, angle: Array, part: NDArray[np.intp]) -> tuple[Ar
     return np.array(slopes), np.array(weights)
 
 
-def _base(interval: Array) -> float:
+def _frame_interval(interval: Array) -> float:
     """Shortest usual time between neighbouring sure frames, s."""
     ordered = np.sort(interval)
     return float(ordered[len(ordered) // 10])
@@ -280,5 +292,5 @@ def _wrapped(angle: Array) -> Array:
     return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
-def _none(reason: str) -> Spin:
+def _no_rate(reason: str) -> Spin:
     return Spin(math.nan, math.nan, math.nan, False, math.nan, (), reason)

@@ -9,14 +9,12 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from plategait.arrays import Array
+from plategait.arrays import Array, Flags
 from plategait.errors import InputError
 from plategait.files.output import whole_file
 from plategait.theory.two_links import LEAST_ROWS, Angles, angles_of_markers
-from plategait.vision.frames import Frame, open_video
-from plategait.vision.track import REPEATED
+from plategait.vision.frames import Frame, Video, open_video, repeats
 
 _LEAST_REDNESS = 35.0  # grey levels by which red exceeds green and blue on a marker
 _LEAST_PIXELS, _MOST_SPOTS = 6, 12
@@ -51,7 +49,7 @@ class StripTrack:
 
     time: Array
     pixels: Array
-    sure: NDArray[np.bool_]
+    sure: Flags
     scale: float | None
     notes: tuple[str, ...]
 
@@ -103,40 +101,37 @@ def track_cantilever(
     """
     if link_length is not None and not 0 < link_length < 10:
         raise InputError("--link-length", link_length, "a length above 0, m", "0.01")
-    times: list[float] = []
-    found: list[Array] = []
-    changes: list[float] = []
-    before: Array | None = None
     with open_video(path, fps=fps, seconds=seconds) as video:
-        for frame in video.frames():
-            markers = _chain(red_spots(frame), before)
-            before = before if markers is None else markers
-            times.append(frame.time)
-            changes.append(frame.change)
-            found.append(np.full((3, 2), np.nan) if markers is None else markers)
+        time, pixels = _read_markers(video)
         height, notes = video.height, list(video.notes)
-    pixels = np.array(found)
-    pixels[_repeated(np.array(changes), pixels)] = np.nan
     sure = np.asarray(np.isfinite(pixels).all(axis=(1, 2)), dtype=bool)
-    _enough(path, sure)
+    _check_enough(path, sure)
     links = np.linalg.norm(np.diff(pixels, axis=1), axis=2)
     usual = np.median(links[sure], axis=0)
     sure &= (np.abs(np.nan_to_num(links) - usual) < _STRETCH * usual).all(axis=1)
-    _enough(path, sure)
+    _check_enough(path, sure)
     spread = pixels[sure].std(axis=0).max(axis=1)
     if spread[0] > spread[2]:
         pixels = pixels[:, ::-1]
-    if not sure.all():
-        notes.append(
-            f"{(~sure).sum()} of {len(sure)} frames repeat a picture or do not show three markers for certain, and are "
-            "left out"
-        )
-    if min(spread[0], spread[2]) > 0.2 * max(spread[0], spread[2]):
-        notes.append("both ends of the strip move: is the camera still, and is the first marker at the wall?")
-    notes += _doubt(pixels[sure], links[sure])
+    notes += _doubts(pixels, links, sure, spread)
     pixels = np.where(sure[:, None, None], pixels, np.nan) * (1, -1) + (0, height - 1)
     scale = None if link_length is None else 2 * link_length / float(usual.sum())
-    return StripTrack(np.array(times), pixels, sure, scale, tuple(notes))
+    return StripTrack(time, pixels, sure, scale, tuple(notes))
+
+
+def _read_markers(video: Video) -> tuple[Array, Array]:
+    """Times (n,), s, and markers (n, 3, 2), px with y downwards, in order along the strip; NaN where not certain."""
+    times, changes, pixels = [], [], []
+    last: Array | None = None
+    for frame in video.frames():
+        markers = _chain(red_spots(frame), last)
+        last = last if markers is None else markers
+        times.append(frame.time)
+        changes.append(frame.change)
+        pixels.append(np.full((3, 2), np.nan) if markers is None else markers)
+    places = np.array(pixels)
+    places[_repeated(np.array(changes), places)] = np.nan
+    return np.array(times), places
 
 
 def red_spots(frame: Frame) -> list[tuple[float, Array]]:
@@ -165,17 +160,17 @@ def red_spots(frame: Frame) -> list[tuple[float, Array]]:
     return sorted(spots, key=lambda spot: -spot[0])
 
 
-def _chain(spots: list[tuple[float, Array]], before: Array | None) -> Array | None:
+def _chain(spots: list[tuple[float, Array]], last: Array | None) -> Array | None:
     """Three of the spots (3, 2) in the order along the strip, or None where it is not certain which they are."""
     if len(spots) < 3:
         return None
     alike = [middle for area, middle in spots if area > _ALIKE * spots[2][0]]
-    if before is None:
+    if last is None:
         return _in_line(np.array(alike)) if len(alike) == 3 else None
-    reach = _JUMP * float(np.linalg.norm(before[2] - before[0]))
-    chosen = [min(range(len(alike)), key=lambda k: float(np.linalg.norm(alike[k] - place))) for place in before]
-    moved = [float(np.linalg.norm(alike[k] - place)) for k, place in zip(chosen, before, strict=True)]
-    return np.array([alike[k] for k in chosen]) if len(set(chosen)) == 3 and max(moved) < reach else None
+    reach = _JUMP * float(np.linalg.norm(last[2] - last[0]))
+    nearest = [min(range(len(alike)), key=lambda k: float(np.linalg.norm(alike[k] - place))) for place in last]
+    moved = [float(np.linalg.norm(alike[k] - place)) for k, place in zip(nearest, last, strict=True)]
+    return np.array([alike[k] for k in nearest]) if len(set(nearest)) == 3 and max(moved) < reach else None
 
 
 def _in_line(spots: Array) -> Array:
@@ -186,27 +181,36 @@ def _in_line(spots: Array) -> Array:
     return spots[[first, 3 - first - last, last]]
 
 
-def _doubt(pixels: Array, links: Array) -> list[str]:
-    """What the scatter of the links' lengths, which ought to be constant, says of the angles."""
-    scatter = float(links.std(axis=0).max())
-    swing = float(np.ptp(angles_of_markers(pixels * (1, -1))[1]))
-    share = scatter / float(links.mean()) / max(swing, 1e-9)
-    if share < _LARGE_SCATTER:
-        return []
-    return [
-        f"lengths between markers scatter by {scatter:.2g} px, {100 * share:.0f} % of the swing of phi2: film closer, "
-        "or store the film with less compression"
-    ]
+def _doubts(pixels: Array, links: Array, sure: Flags, spread: Array) -> list[str]:
+    """What speaks against a film: frames left out, ends that both move, links whose lengths scatter."""
+    notes = []
+    if not sure.all():
+        notes.append(
+            f"{(~sure).sum()} of {len(sure)} frames repeat a picture or do not show three markers for certain, and are "
+            "left out"
+        )
+    if min(spread[0], spread[2]) > 0.2 * max(spread[0], spread[2]):
+        notes.append("both ends of the strip move: is the camera still, and is the first marker at the wall?")
+    # The links' lengths ought to be constant: what they scatter, the angles do too.
+    scatter = float(links[sure].std(axis=0).max())
+    swing = float(np.ptp(angles_of_markers(pixels[sure] * (1, -1))[1]))
+    share = scatter / float(links[sure].mean()) / max(swing, 1e-9)
+    if not share < _LARGE_SCATTER:
+        notes.append(
+            f"lengths between markers scatter by {scatter:.2g} px, {100 * share:.0f} % of the swing of phi2: film "
+            "closer, or store the film with less compression"
+        )
+    return notes
 
 
-def _repeated(changes: Array, pixels: Array) -> NDArray[np.bool_]:
+def _repeated(changes: Array, pixels: Array) -> Flags:
     """Frames (n,) that repeat the one before while the strip moves: a fault of the file, not a strip at rest."""
-    around = np.full(len(pixels), False)
-    around[1:-1] = np.nan_to_num(np.abs(pixels[2:] - pixels[:-2])).max(axis=(1, 2)) > _MOVES
-    return np.asarray(around & (changes < REPEATED * np.median(changes)), dtype=bool)
+    moving = np.full(len(pixels), False)
+    moving[1:-1] = np.nan_to_num(np.abs(pixels[2:] - pixels[:-2])).max(axis=(1, 2)) > _MOVES
+    return moving & repeats(changes)
 
 
-def _enough(path: Path | str, sure: NDArray[np.bool_]) -> None:
+def _check_enough(path: Path | str, sure: Flags) -> None:
     if sure.sum() >= max(LEAST_ROWS, _LEAST_SHARE * len(sure)):
         return
     raise InputError("video", f"{path} ({sure.sum()} of {len(sure)} frames show three red markers)",

@@ -9,28 +9,24 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from plategait.arrays import Array, Flags
 from plategait.files.plain import plain
-from plategait.vision.frames import Frame, open_video
-from plategait.vision.lens import straightener, zoomed
-from plategait.vision.object.parallax import bending
+from plategait.vision.frames import Frame, open_video, repeats
+from plategait.vision.lens import scaled_matrix, undistorter
 from plategait.vision.object.pose import Pose
 from plategait.vision.plate.swing import PlateSwing, plate_swing
 from plategait.vision.plate.view import PlateView, ScalePlate
-from plategait.vision.spin import Spin, apparent_frequency, joined, spin_of, strays
-from plategait.vision.survey import Eyes, Setup
+from plategait.vision.pose_reader import PoseReader
+from plategait.vision.pose_series import PoseSeries
+from plategait.vision.setup import Setup
+from plategait.vision.spin import Spin, apparent_frequency
 
-# A picture that changes by less than this share of the usual change repeats the one before it.
-REPEATED = 0.03
 # Successive frames at the end without the object that mean that it has gone, s.
 GONE = 0.5
 # Least turn of a texture that is the object's for sure, rad.
 LEAST_TURN = math.radians(10)
-# Parallax smaller than this is not worth a note, deg.
-NOTED_TURN = 0.5
-FollowFrame = Callable[[Frame, PlateView, Pose], object]
+FrameCallback = Callable[[Frame, PlateView, Pose], object]
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,8 +87,8 @@ class Track:
 
     def reasons(self) -> dict[str, int]:
         """Why frames are uncertain, and how many each, the commonest first."""
-        found = [r for r in self.reason if r]
-        return {r: found.count(r) for r in sorted(set(found), key=lambda r: -found.count(r))}
+        reasons = [r for r in self.reason if r]
+        return {r: reasons.count(r) for r in sorted(set(reasons), key=lambda r: -reasons.count(r))}
 
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`; None where nothing could be measured."""
@@ -125,7 +121,7 @@ def track(
     source: Path | str,
     setup: Setup | None = None,
     *,
-    follow: FollowFrame | None = None,
+    follow: FrameCallback | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Track:
     """Follow the object in a video.
@@ -149,89 +145,101 @@ def track(
         When it is no video, shows no plate or no object, or shows several objects.
     """
     setup = setup or Setup()
-    eyes = Eyes(source, setup)
-    times: list[float] = []
-    views: list[Array] = []
-    changes: list[float] = []
-    poses: dict[str, list[Pose]] = {name: [] for name in eyes.methods}
-    with open_video(source, fps=setup.fps, seconds=setup.seconds) as video:
-        straight = straightener(setup.calibration, video.width, video.height)
-        for frame in video.frames():
-            frame = straight(frame)
-            view, seen = eyes.see(frame)
-            times.append(frame.time)
-            changes.append(frame.change)
-            views.append(np.full((3, 3), math.nan) if view.homography is None else view.homography)
-            for name, pose in seen.items():
-                poses[name].append(pose)
-            if follow is not None:
-                follow(frame, view, next((p for p in seen.values() if not p.reason), next(iter(seen.values()))))
-            if progress is not None and video.length and frame.index % 16 == 0:
-                progress(min(1.0, frame.index / video.length))
-        name, notes = video.name, list(video.notes)
-    return _assembled(name, np.array(times), np.array(views), np.array(changes), poses, eyes, setup, notes)
-
-
-def _assembled(
-    name: str, time: Array, views: Array, changes: Array, poses: dict[str, list[Pose]], eyes: Eyes, setup: Setup,
-    notes: list[str],
-) -> Track:  # fmt: skip
-    """Put the track of the better method together."""
-    method = setup.object if setup.object in poses else _better(poses)
-    chosen = poses[method]
-    x, y, angle = (np.array([getattr(p, k) for p in chosen]) for k in ("x", "y", "angle"))
-    reason = [p.reason for p in chosen]
-    repeated = changes < REPEATED * np.median(changes)
-    if repeated.any():
-        reason = [r or ("repeated picture" if again else "") for r, again in zip(reason, repeated, strict=True)]
-    symmetry = 1
-    if eyes.texture is not None:
-        symmetry = (eyes.texture.texture if method == "texture" else eyes.texture.outline).symmetry()
-        notes.append(f"no markers: followed by its {method}")
-    if symmetry > 1:
-        notes.append(f"the object looks the same after 1/{symmetry} of a turn")
-    interval = float(np.median(np.diff(time))) if len(time) > 1 else math.nan
-    fps = 1 / interval if interval > 0 else math.nan
-    if len(time) > 2:
-        _note_intervals(np.diff(time), interval, notes)
-    middle, focal = ((eyes.picture[0] - 1) / 2, (eyes.picture[1] - 1) / 2), None
-    if setup.calibration is not None:
-        K = zoomed(setup.calibration, eyes.picture[0])
-        middle, focal = (float(K[0, 2]), float(K[1, 2])), float(K[0, 0] + K[1, 1]) / 2
-    elif eyes.plate.lens is not None:
-        focal = float(eyes.plate.lens[0, 0])
-    fresh = np.where(repeated[:, None, None], math.nan, views)
-    moved = plate_swing(time, fresh, setup.plate_size, middle, focal)
-    if isinstance(eyes.plate, ScalePlate):
-        moved = PlateSwing(math.nan, math.nan, None, math.nan)
-    agree = _note_frequency(setup.plate_frequency, moved.frequency, fps, notes)
-    frequency = setup.plate_frequency or moved.frequency
-    sure = np.array([not r for r in reason]) & np.isfinite(angle)
+    reader = PoseReader(source, setup)
+    readings = _read_frames(source, setup, reader, follow, progress)
+    notes = list(readings.notes)
+    method = setup.object if setup.object in readings.poses else _better(readings.poses)
+    time, repeated = np.array(readings.time), repeats(np.array(readings.changes))
+    poses = PoseSeries.of(time, readings.poses[method], repeated)
+    symmetry = _symmetry(reader, method, notes)
+    fps = _frame_rate(time, notes)
+    plate = _plate_swing(time, np.array(readings.views), repeated, reader, setup)
+    agree = _note_frequency(setup.plate_frequency, plate.frequency, fps, notes)
+    frequency = setup.plate_frequency or plate.frequency
     # What is seen decides what the swing does to the frames.
-    swing = frequency if agree else moved.frequency
-    swing = swing if math.isfinite(swing) else None
-    spin = spin_of(time, angle, sure, symmetry=symmetry, fps=fps, plate_frequency=swing)
-    if math.isfinite(spin.rate):
-        angle, part = _joined(time, angle, sure, spin, symmetry)
-        if method == "markers" and moved.eye is not None and swing is not None:
-            apart, place = np.array([p.apart for p in chosen]), np.stack([x, y], axis=1)
-            bent = bending(time[sure], angle[sure], apart[sure], place[sure], moved.eye[sure], swing)
-            if bent is not None:
-                angle[sure] -= bent.turn
-                most = math.degrees(float(np.abs(bent.turn).max()))
-                if most > NOTED_TURN:
-                    notes.append(f"angles are freed of the parallax of bending, up to {most:.1f} deg")
-        for k in np.nonzero(sure)[0][strays(time[sure], angle[sure], part, swing, fps)]:
-            sure[k], reason[k] = False, "out of line with the frames around it"
-        spin = spin_of(time, angle, sure, symmetry=symmetry, fps=fps, plate_frequency=swing)
+    swing = frequency if agree else plate.frequency
+    eye = plate.eye if method == "markers" else None
+    spin = poses.spin(symmetry, fps, swing if math.isfinite(swing) else None, eye, notes)
     if method != "markers":
         spin = _turning(spin, float(np.ptp(time)), method, symmetry)
-    if len(time) and not sure[time > time[-1] - GONE].any() and sure.any() and time[-1] - time[0] > 2 * GONE:
+    sure = poses.sure
+    if not sure[time > time[-1] - GONE].any() and sure.any() and time[-1] - time[0] > 2 * GONE:
         notes.append(f"the object is not seen after {time[sure][-1]:.2f} s")
     return Track(
-        name, time, x, y, angle, sure, tuple(reason), method, symmetry, fps, moved,
+        readings.name, time, poses.x, poses.y, poses.angle, sure, tuple(poses.reason), method, symmetry, fps, plate,
         frequency, spin, tuple(notes),
     )  # fmt: skip
+
+
+@dataclass(eq=False)
+class _Readings:
+    """What is read off a clip, frame by frame: poses by method, and views of the plate, NaN where it was not seen."""
+
+    name: str
+    time: list[float]
+    changes: list[float]
+    views: list[Array]
+    poses: dict[str, list[Pose]]
+    notes: list[str]
+
+
+def _read_frames(
+    source: Path | str,
+    setup: Setup,
+    reader: PoseReader,
+    follow: FrameCallback | None,
+    progress: Callable[[float], object] | None,
+) -> _Readings:
+    """Read every frame of a clip, one in memory at a time."""
+    with open_video(source, fps=setup.fps, seconds=setup.seconds) as video:
+        readings = _Readings(video.name, [], [], [], {name: [] for name in reader.methods}, video.notes)
+        undistorted = undistorter(setup.calibration, video.width, video.height)
+        for frame in video.frames():
+            frame = undistorted(frame)
+            view, poses = reader.read(frame)
+            readings.time.append(frame.time)
+            readings.changes.append(frame.change)
+            readings.views.append(np.full((3, 3), math.nan) if view.homography is None else view.homography)
+            for name, pose in poses.items():
+                readings.poses[name].append(pose)
+            if follow is not None:
+                follow(frame, view, next((p for p in poses.values() if not p.reason), next(iter(poses.values()))))
+            if progress is not None and video.length and frame.index % 16 == 0:
+                progress(min(1.0, frame.index / video.length))
+    return readings
+
+
+def _symmetry(reader: PoseReader, method: str, notes: list[str]) -> int:
+    """Turns of a full circle over this look the same; an object without markers is noted."""
+    if reader.texture is None:
+        return 1
+    symmetry = (reader.texture.texture if method == "texture" else reader.texture.outline).symmetry()
+    notes.append(f"no markers: followed by its {method}")
+    if symmetry > 1:
+        notes.append(f"the object looks the same after 1/{symmetry} of a turn")
+    return symmetry
+
+
+def _frame_rate(time: Array, notes: list[str]) -> float:
+    """Frames per second, as they came; intervals that are not alike are noted."""
+    interval = float(np.median(np.diff(time))) if len(time) > 1 else math.nan
+    if len(time) > 2:
+        _note_intervals(np.diff(time), interval, notes)
+    return 1 / interval if interval > 0 else math.nan
+
+
+def _plate_swing(time: Array, views: Array, repeated: Flags, reader: PoseReader, setup: Setup) -> PlateSwing:
+    """What the plate does, before the lens that is known of the camera; nothing of a plate that is not followed."""
+    if isinstance(reader.plate, ScalePlate):
+        return PlateSwing(math.nan, math.nan, None, math.nan)
+    middle, focal = ((reader.picture[0] - 1) / 2, (reader.picture[1] - 1) / 2), None
+    if setup.calibration is not None:
+        K = scaled_matrix(setup.calibration, reader.picture[0])
+        middle, focal = (float(K[0, 2]), float(K[1, 2])), float(K[0, 0] + K[1, 1]) / 2
+    elif reader.plate.lens is not None:
+        focal = float(reader.plate.lens[0, 0])
+    fresh = np.where(repeated[:, None, None], math.nan, views)
+    return plate_swing(time, fresh, setup.plate_size, middle, focal)
 
 
 def _turning(spin: Spin, duration: float, method: str, symmetry: int) -> Spin:
@@ -250,14 +258,6 @@ def _better(poses: dict[str, list[Pose]]) -> str:
     return max(counts, key=lambda name: (counts[name] > 0.9 * max(counts.values()), -list(counts).index(name)))
 
 
-def _joined(time: Array, angle: Array, sure: Flags, spin: Spin, symmetry: int) -> tuple[Array, NDArray[np.intp]]:
-    """Angles with those of the sure frames joined over whole turns, and the part of each of these."""
-    line, part = joined(time[sure], symmetry * angle[sure], symmetry * spin.rate)
-    out = angle.copy()
-    out[sure] = line / symmetry
-    return out, part
-
-
 def _note_intervals(intervals: Array, usual: float, notes: list[str]) -> None:
     missing = int(np.sum(np.round(intervals[intervals > 1.5 * usual] / usual) - 1))
     if missing:
@@ -267,18 +267,18 @@ def _note_intervals(intervals: Array, usual: float, notes: list[str]) -> None:
         notes.append("the frame rate varies")
 
 
-def _note_frequency(given: float | None, seen: float, fps: float, notes: list[str]) -> bool:
-    """Whether what the plate is said to do agrees with what is seen of it; note what does not, or may be otherwise."""
-    if not math.isfinite(seen):
+def _note_frequency(nominal: float | None, observed: float, fps: float, notes: list[str]) -> bool:
+    """Whether the plate's nominal frequency agrees with the observed one; note what does not, or may be otherwise."""
+    if not math.isfinite(observed):
         return True
-    shown = seen if given is None else given if seen > 0.5 * fps else apparent_frequency(given, fps)
-    if given is None and seen <= 0.5 * fps:
-        others = ", ".join(f"{k * fps + s * seen:.4g}" for k in (1, 2) for s in (-1, 1))
-        notes.append(f"the plate is seen at {seen:.4g} Hz; on even frames {others} Hz look the same")
-    agree = abs(shown - seen) <= max(0.01 * fps, 0.3)
+    apparent = observed if nominal is None else nominal if observed > 0.5 * fps else apparent_frequency(nominal, fps)
+    if nominal is None and observed <= 0.5 * fps:
+        others = ", ".join(f"{k * fps + s * observed:.4g}" for k in (1, 2) for s in (-1, 1))
+        notes.append(f"the plate is seen at {observed:.4g} Hz; on even frames {others} Hz look the same")
+    agree = abs(apparent - observed) <= max(0.01 * fps, 0.3)
     if not agree:
         notes.append(
-            f"the plate was said to swing at {given:.4g} Hz, which would look like {shown:.4g} Hz here, "
-            f"but is seen at {seen:.4g} Hz"
+            f"the plate was said to swing at {nominal:.4g} Hz, which would look like {apparent:.4g} Hz here, "
+            f"but is seen at {observed:.4g} Hz"
         )
     return agree

@@ -7,23 +7,21 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from plategait.arrays import Array
+from plategait.arrays import Array, Picture
 from plategait.camera.camera import Camera
-from plategait.camera.writer import SUFFIXES, Schedule, film_file, schedule
+from plategait.camera.writer import SUFFIXES, FilmWriter, Schedule, film_file, schedule
 from plategait.errors import InputError
 from plategait.files.output import check_writable, whole_file
 from plategait.model.scenario import Scenario
-from plategait.render.clip.look import Look
+from plategait.render.clip.appearance import Appearance
 from plategait.render.clip.scene import Scene
-from plategait.render.clip.studio import Studio, covered_frames
-from plategait.render.clip.truth import Truth, truth_path
-from plategait.render.shots import Shots
-from plategait.simulation import observables
+from plategait.render.clip.synthetic_camera import SyntheticCamera, occlusions
+from plategait.render.clip.truth import Truth, truth_of, truth_path
+from plategait.render.snapshots import Snapshots
 from plategait.simulation.result import Simulation
 
-__all__ = ["Studio", "Truth", "covered_frames", "film", "truth_path", "usual_camera"]
+__all__ = ["SyntheticCamera", "Truth", "film", "occlusions", "truth_path", "usual_camera"]
 
 
 _FIELD_OF_VIEW, _ELEVATION, _AZIMUTH = math.radians(26), math.radians(58), math.radians(-12)
@@ -62,10 +60,10 @@ def usual_camera(
         # The world's vertical lies in the picture's, also for a camera that looks straight down.
         eye = distance * direction
         camera = Camera.looking_at(eye, (0, 0, 0), width, height, _FIELD_OF_VIEW, distortion, up=(*away[:2], 1e-3))
-        seen, depth = camera.project_with_depth(corners)
+        pixels, depth = camera.project_with_depth(corners)
         if (
             depth.min() > 0
-            and (np.abs(seen - np.array([width, height]) / 2) * 2 <= np.array([width, height]) * _FILLED).all()
+            and (np.abs(pixels - np.array([width, height]) / 2) * 2 <= np.array([width, height]) * _FILLED).all()
         ):
             return camera
         distance *= 1.03
@@ -76,7 +74,7 @@ def film(
     path: Path | str,
     camera: Camera | None = None,
     fps: float = 30.0,
-    look: Look | None = None,
+    appearance: Appearance | None = None,
     *,
     start: float | None = None,
     seconds: float | None = None,
@@ -95,7 +93,7 @@ def film(
         By default one that the plate fills, at 1280 x 720.
     fps : float
         Frames per second.
-    look : Look, optional
+    appearance : Appearance, optional
     start : float, optional
         Time of the run at which the film starts, s; by default when the run is taken to have settled.
     seconds : float, optional
@@ -114,73 +112,62 @@ def film(
     InputError
         For a run without snapshots or with too few, a time outside it, or a file that cannot be written.
     """
-    look = look or Look()
+    appearance = appearance or Appearance()
     scenario, recording = simulation.scenario, simulation.recordings[run]
     if not 1 <= fps <= 10_000:
         raise InputError("fps", fps, "from 1 to 10000", "30")
     check_writable(path, SUFFIXES)
-    shots = Shots.of(scenario, recording, 0)
+    snapshots = Snapshots.of(scenario, recording, 0)
     start = scenario.measured_from if start is None else start
-    end = float(shots.time[-1])
-    longest = end - start
-    seconds = longest if seconds is None else seconds
-    if not (shots.time[0] <= start < end and 1 / fps <= seconds <= longest + 1e-6):
-        raise InputError("seconds", f"{seconds:g} s from {start:g} s", f"within the run, which has shapes from "
-                         f"{shots.time[0]:g} s to {end:g} s", f"start=0, seconds={0.9 * end:.3g}")  # fmt: skip
-    camera = camera or usual_camera(scenario, distortion=look.distortion)
+    seconds = _length(snapshots, start, seconds, fps)
+    camera = camera or usual_camera(scenario, distortion=appearance.distortion)
     if camera.width % 2 or camera.height % 2:
         raise InputError("camera", f"{camera.width} x {camera.height}", "even numbers of pixels", "1280 x 720")
-    times = schedule(seconds, fps, jitter=look.jitter, drop=look.drop, duplicate=look.duplicate, seed=look.seed)
-    studio = Studio(scenario, shots, camera, look, look.exposure / fps)
-    covered = covered_frames(len(times.time), look.hidden, look.seed)
-    shares = np.zeros((len(times.time), 2))
-    picture: NDArray[np.uint8] | None = None
+    times = schedule(
+        seconds, fps, jitter=appearance.jitter, drop=appearance.drop, duplicate=appearance.duplicate,
+        seed=appearance.seed,
+    )  # fmt: skip
+    filming = SyntheticCamera(scenario, snapshots, camera, appearance, appearance.exposure / fps)
     # Both are there in the end, or neither.
     with (
         whole_file(truth_path(path), (".csv",)) as beside,
-        film_file(path, (camera.width, camera.height), fps, look.crf) as file,
+        film_file(path, (camera.width, camera.height), fps, appearance.crf) as file,
     ):
-        for k, (stamp, moment) in enumerate(zip(times.time, times.pictured, strict=True)):
-            if picture is None or stamp == moment:
-                picture, shares[k] = studio.picture(start + moment, covered[k])
-            else:
-                shares[k] = shares[k - 1]
-            file.add(picture, stamp)
-            if progress is not None:
-                progress((k + 1) / len(times.time))
-        truth = _truth(simulation, run, studio, times, start, shares)
+        shares = _take_frames(filming, times, start, file, progress)
+        truth = truth_of(filming, recording, times, start, shares)
         truth.write_rows(beside)
     return truth
 
 
-def _truth(simulation: Simulation, run: int, studio: Studio, times: Schedule, start: float, shares: Array) -> Truth:
-    scenario, recording = simulation.scenario, simulation.recordings[run]
-    scene, shots, moments = studio.scene, studio.shots, start + times.time
-    nodes, pose = shots.at(moments)
-    frames = [scene.sheet_frame(n, p) for n, p in zip(nodes, pose, strict=True)]
-    markers = [studio.markers(n, p) for n, p in zip(nodes, pose, strict=True)]
-    centres = np.array([centre for _, centre in frames])
-    samples = recording.channels["time"]
-    turned = observables.rotation(recording.channels["spin_cross"], recording.channels["spin_dot"])
-    about = np.interp(moments, samples, turned)
+def _length(snapshots: Snapshots, start: float, seconds: float | None, fps: float) -> float:
+    """Length of the film, s, as asked or to the end of the run, which it must lie within."""
+    first, end = float(snapshots.time[0]), float(snapshots.time[-1])
+    longest = end - start
+    seconds = longest if seconds is None else seconds
+    if not (first <= start < end and 1 / fps <= seconds <= longest + 1e-6):
+        raise InputError("seconds", f"{seconds:g} s from {start:g} s", f"within the run, which has shapes from "
+                         f"{first:g} s to {end:g} s", f"start=0, seconds={0.9 * end:.3g}")  # fmt: skip
+    return seconds
 
-    def unwrapped(directions: Array, near: Array) -> Array:
-        return near + (directions - near + np.pi) % (2 * np.pi) - np.pi
 
-    angle = unwrapped(np.array([a for a, _ in frames]), about)
-    end = float(moments[-1])
-    return Truth(
-        time=times.time,
-        angle=angle,
-        x=centres[:, 0],
-        y=centres[:, 1],
-        marker_angle=unwrapped(np.array([a for _, a in markers]), angle),
-        plate_pose=pose,
-        marker_pixels=studio.camera.project(np.array([m for m, _ in markers])),
-        marker_share=shares,
-        duplicate=times.duplicate,
-        spin=observables.spin_rate(samples, turned, scenario.motion.period, start, end),
-        started=start,
-        camera=studio.camera,
-        target=scene.target,
-    )
+def _take_frames(
+    filming: SyntheticCamera,
+    times: Schedule,
+    start: float,
+    file: FilmWriter,
+    progress: Callable[[float], object] | None,
+) -> Array:
+    """Write all frames; gives how much of each marker they show, (n, 2)."""
+    appearance, n = filming.appearance, len(times.time)
+    occluders = occlusions(n, appearance.hidden, appearance.seed)
+    shares = np.zeros((n, 2))
+    picture: Picture | None = None
+    for k, (stamp, moment) in enumerate(zip(times.time, times.pictured, strict=True)):
+        if picture is None or stamp == moment:
+            picture, shares[k] = filming.picture(start + moment, occluders[k])
+        else:
+            shares[k] = shares[k - 1]
+        file.add(picture, stamp)
+        if progress is not None:
+            progress((k + 1) / n)
+    return shares

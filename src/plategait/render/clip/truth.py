@@ -8,12 +8,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from plategait.arrays import Array
+from plategait.arrays import Array, Flags
 from plategait.camera.camera import Camera
 from plategait.camera.fiducials import PlateTarget
+from plategait.camera.writer import Schedule
+from plategait.engine.recording import Recording
 from plategait.files.output import whole_file
+from plategait.render.clip.synthetic_camera import SyntheticCamera
+from plategait.simulation import observables
 from plategait.simulation.observables import SpinRate
 
 # Of a marker that lies flat: as much as must be seen to call it visible.
@@ -60,14 +63,14 @@ class Truth:
     plate_pose: Array
     marker_pixels: Array
     marker_share: Array
-    duplicate: NDArray[np.bool_]
+    duplicate: Flags
     spin: SpinRate
     started: float
     camera: Camera
     target: PlateTarget
 
     @property
-    def visible(self) -> NDArray[np.bool_]:
+    def visible(self) -> Flags:
         """(n, 2) whether at least half of the centre and the rim marker is seen."""
         return self.marker_share >= _VISIBLE
 
@@ -93,6 +96,38 @@ class Truth:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(columns)
             writer.writerows([f"{float(v):.7g}" for v in row] for row in zip(*columns.values(), strict=True))
+
+
+def truth_of(filming: SyntheticCamera, recording: Recording, times: Schedule, start: float, shares: Array) -> Truth:
+    """What a camera films of a run at these times, s from `start`; `shares` (n, 2) is how much of each marker."""
+    scene, snapshots, moments = filming.scene, filming.snapshots, start + times.time
+    nodes, pose = snapshots.at(moments)
+    frames = [scene.sheet_frame(n, p) for n, p in zip(nodes, pose, strict=True)]
+    markers = [filming.markers(n, p) for n, p in zip(nodes, pose, strict=True)]
+    centres = np.array([centre for _, centre in frames])
+    samples = recording.channels["time"]
+    rotation = observables.rotation(recording.channels["spin_cross"], recording.channels["spin_dot"])
+    angle = _unwrapped(np.array([a for a, _ in frames]), np.interp(moments, samples, rotation))
+    return Truth(
+        time=times.time,
+        angle=angle,
+        x=centres[:, 0],
+        y=centres[:, 1],
+        marker_angle=_unwrapped(np.array([a for _, a in markers]), angle),
+        plate_pose=pose,
+        marker_pixels=filming.camera.project(np.array([m for m, _ in markers])),
+        marker_share=shares,
+        duplicate=times.duplicate,
+        spin=observables.spin_rate(samples, rotation, filming.scenario.motion.period, start, float(moments[-1])),
+        started=start,
+        camera=filming.camera,
+        target=scene.target,
+    )
+
+
+def _unwrapped(directions: Array, near: Array) -> Array:
+    """Directions, rad, on the turn that is nearest to others."""
+    return near + (directions - near + np.pi) % (2 * np.pi) - np.pi
 
 
 def truth_path(path: Path | str) -> Path:

@@ -36,7 +36,7 @@ def _strip(simulation: Simulation) -> tuple[bytes | None, str]:
         return None, f"No pictures: plategait.render cannot be imported ({error})."
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "strip.png"
-        filmstrip(simulation.scenario, simulation.recordings[0], path)
+        filmstrip(simulation, path)
         return path.read_bytes(), ""
 
 

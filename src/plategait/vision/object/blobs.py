@@ -11,7 +11,7 @@ from plategait.arrays import Array, Picture
 from plategait.vision.plate.rectified import Grid
 
 # What a byte of likeness is for the markers' own colour, and the least, as a share of it, that counts.
-ALIKE, FAINT = 128, 0.15
+FULL_LIKENESS, FAINT = 128, 0.15
 # Areas of markers that are looked for, m².
 LEAST_AREA, MOST_AREA = 8e-6, 250e-6
 
@@ -53,7 +53,7 @@ def blobs_in(binary: Picture, grid: Grid, likeness: Picture | None = None) -> li
         else:
             near = cv2.dilate(inside, np.ones((5, 5), np.uint8))
             foreign = (binary[y0:y1, x0:x1] > 0) & (inside == 0)
-            weight = np.minimum(likeness[y0:y1, x0:x1] / ALIKE, 1.0) * near * ~foreign
+            weight = np.minimum(likeness[y0:y1, x0:x1] / FULL_LIKENESS, 1.0) * near * ~foreign
             weight[weight < FAINT] = 0
         m = cv2.moments(weight.astype(np.float32))
         if m["m00"] <= 0:

@@ -9,12 +9,12 @@ from itertools import permutations
 import numpy as np
 
 from plategait.arrays import Array, Picture
-from plategait.vision.object.blobs import ALIKE, Blob, blobs_in
-from plategait.vision.object.pose import NOWHERE, Pose
+from plategait.vision.object.blobs import FULL_LIKENESS, Blob, blobs_in
+from plategait.vision.object.pose import NO_POSE, Pose
 from plategait.vision.plate.rectified import Grid
 
 # Distances between the markers' middles, m, that are looked for.
-LEAST_APART, MOST_APART = 6e-3, 80e-3
+LEAST_SPACING, MOST_SPACING = 6e-3, 80e-3
 # A rectangle fills this share of the smallest box around it.
 LEAST_FILL = 0.72
 # Levels that markers differ by from what is around them, and how alike the two are.
@@ -24,13 +24,13 @@ POINTS_AT = math.radians(20)
 # Share of the frames looked at first that must show the same pair.
 LEAST_VOTES = 0.15
 # What a marker's area may be over its usual one, and the distance of the two, for a sure frame.
-SURE_AREA, SURE_APART = (0.55, 1.6), (0.72, 1.15)
+SURE_AREA, SURE_SPACING = (0.55, 1.6), (0.72, 1.15)
 # The middle does not move faster than this between frames, m.
 MOST_MOVE = 10e-3
 
 
 @dataclass(frozen=True, eq=False)
-class MarkerLook:
+class MarkerAppearance:
     """What the two markers of a clip look like.
 
     Attributes
@@ -41,7 +41,7 @@ class MarkerLook:
         Colours that they are told from: of the object around them, and of the plate.
     areas : (2,) array
         Of the centre and the rim marker, m².
-    apart : float
+    spacing : float
         Distance of their middles, m.
     long : bool
         Whether the centre marker is long enough that its direction counts.
@@ -54,13 +54,13 @@ class MarkerLook:
     marker: Array
     grounds: Array
     areas: Array
-    apart: float
+    spacing: float
     long: bool
     centre: Array
     others: int = 0
 
     def likeness(self, patch: Picture) -> Picture:
-        """(rows, columns): 0 for the grounds' colours, `ALIKE` for the markers' (bytes are quick)."""
+        """(rows, columns): 0 for the grounds' colours, `FULL_LIKENESS` for the markers' (bytes are quick)."""
         import cv2
 
         kernels = []
@@ -69,24 +69,24 @@ class MarkerLook:
             # Colour outlives shade: where there is enough of it, brightness counts less.
             weight = np.array([0.25 if np.hypot(*difference[1:]) > 30 else 1.0, 1.0, 1.0])
             along = weight * difference / float(weight @ difference**2)
-            kernels.append(ALIKE * np.append(along, -float(along @ ground)))
+            kernels.append(FULL_LIKENESS * np.append(along, -float(along @ ground)))
         # Sums below 0 become 0, those above 255 become 255.
-        each = [cv2.transform(patch, kernel[None]) for kernel in kernels]
-        return (each[0] if len(each) == 1 else cv2.min(each[0], each[1])).astype(np.uint8, copy=False)
+        likenesses = [cv2.transform(patch, kernel[None]) for kernel in kernels]
+        return (likenesses[0] if len(likenesses) == 1 else cv2.min(*likenesses)).astype(np.uint8, copy=False)
 
 
-def learn_look(patches: list[Picture], grid: Grid, mask: Picture) -> MarkerLook | None:
+def learn_markers(patches: list[Picture], grid: Grid, mask: Picture) -> MarkerAppearance | None:
     """What the markers look like, from some frames of a clip; None where there is no such pair in enough of them."""
-    found = [pairs_in(patch, grid, mask) for patch in patches]
-    best = [pairs[0] for pairs in found if pairs]
+    candidates = [pairs_in(patch, grid, mask) for patch in patches]
+    best = [pairs[0] for pairs in candidates if pairs]
     if len(best) < max(2, LEAST_VOTES * len(patches)):
         return None
     colours = np.array([pair.marker - pair.ground for pair in best])
     middle = np.median(colours, axis=0)
     same = np.linalg.norm(colours - middle, axis=1) < MOST_UNLIKE * np.linalg.norm(middle)
     agreeing = [pair for pair, like in zip(best, same, strict=True) if like]
-    apart = float(np.median([pair.apart for pair in agreeing]))
-    agreeing = [pair for pair in agreeing if abs(pair.apart - apart) < 0.2 * apart]
+    spacing = float(np.median([pair.spacing for pair in agreeing]))
+    agreeing = [pair for pair in agreeing if abs(pair.spacing - spacing) < 0.2 * spacing]
     if len(agreeing) < max(2, LEAST_VOTES * len(patches)):
         return None
     marker, ground, areas = (
@@ -95,9 +95,11 @@ def learn_look(patches: list[Picture], grid: Grid, mask: Picture) -> MarkerLook 
     plate = np.median([plate_colour(patch, mask) for patch in patches], axis=0)
     grounds = np.array([g for g in (ground, plate) if np.linalg.norm(marker - g) > LEAST_CONTRAST])
     centre = np.median([p.centre for p in agreeing[: max(3, len(agreeing) // 4)]], axis=0)
-    others = np.median([sum(_another(pairs[0], q, apart) for q in pairs[1:]) for pairs in found if pairs])
-    return MarkerLook(
-        marker, grounds, areas, apart, bool(np.mean([p.long for p in agreeing]) > 0.5), centre, int(others)
+    others = np.median(
+        [sum(_is_other_object(pairs[0], q, spacing) for q in pairs[1:]) for pairs in candidates if pairs]
+    )
+    return MarkerAppearance(
+        marker, grounds, areas, spacing, bool(np.mean([p.long for p in agreeing]) > 0.5), centre, int(others)
     )
 
 
@@ -118,20 +120,20 @@ class Pair:
     centre: Array
     rim: Array
     areas: Array
-    apart: float
+    spacing: float
     long: bool
     marker: Array
     ground: Array
     score: float
 
 
-def _another(first: Pair, pair: Pair, apart: float) -> bool:
+def _is_other_object(first: Pair, pair: Pair, spacing: float) -> bool:
     """Whether a pair is one of another object: as large, and nowhere near the first."""
     far = min(np.linalg.norm(a - b) for a in (first.centre, first.rim) for b in (pair.centre, pair.rim)) > 3e-3
     alike = np.linalg.norm((first.marker - first.ground) - (pair.marker - pair.ground)) < MOST_UNLIKE * np.linalg.norm(
         first.marker - first.ground
     )
-    return bool(far and alike and pair.long == first.long and abs(pair.apart - apart) < 0.2 * apart
+    return bool(far and alike and pair.long == first.long and abs(pair.spacing - spacing) < 0.2 * spacing
                 and np.all(np.abs(np.log(pair.areas / first.areas)) < 0.4))  # fmt: skip
 
 
@@ -160,8 +162,8 @@ def _pairs(blobs: list[Blob], patch: Picture, grid: Grid) -> list[Pair]:
     for i, j in permutations(range(len(blobs)), 2):
         a, b = blobs[i], blobs[j]
         line = b.middle - a.middle
-        apart = float(np.hypot(*line))
-        if not LEAST_APART < apart < MOST_APART or max(a.area, b.area) > 4 * min(a.area, b.area):
+        spacing = float(np.hypot(*line))
+        if not LEAST_SPACING < spacing < MOST_SPACING or max(a.area, b.area) > 4 * min(a.area, b.area):
             continue
         long = a.aspect > 1.5
         aligned = math.cos(_half_turn(math.atan2(line[1], line[0]) - a.axis)) if long else 0.0
@@ -174,7 +176,7 @@ def _pairs(blobs: list[Blob], patch: Picture, grid: Grid) -> list[Pair]:
             continue
         score = contrast * a.fill * b.fill * (1.0 + 0.5 * aligned) * (1 - 0.5 * unlike)
         areas = np.array([a.area, b.area])
-        pairs.append(Pair(a.middle, b.middle, areas, apart, long, (m1 + m2) / 2, (g1 + g2) / 2, score))
+        pairs.append(Pair(a.middle, b.middle, areas, spacing, long, (m1 + m2) / 2, (g1 + g2) / 2, score))
     return pairs
 
 
@@ -200,18 +202,18 @@ class MarkerTracker:
 
     Parameters
     ----------
-    look : MarkerLook
+    appearance : MarkerAppearance
     """
 
-    def __init__(self, look: MarkerLook) -> None:
-        self.look = look
-        self._centre = look.centre
+    def __init__(self, appearance: MarkerAppearance) -> None:
+        self.appearance = appearance
+        self._centre = appearance.centre
         self._lost = 0
 
     @property
     def window(self) -> tuple[Array, float]:
         """Middle and reach, m, of where to look next."""
-        return self._centre, 1.25 * self.look.apart + 8e-3 + self._reach
+        return self._centre, 1.25 * self.appearance.spacing + 8e-3 + self._reach
 
     @property
     def _reach(self) -> float:
@@ -219,28 +221,28 @@ class MarkerTracker:
 
     def find(self, patch: Picture, grid: Grid, mask: Picture) -> Pose:
         """Pose in a warped picture, among what the mask allows."""
-        likeness = self.look.likeness(patch) * mask
-        blobs = blobs_in((likeness > ALIKE // 2).astype(np.uint8), grid, likeness)
+        likeness = self.appearance.likeness(patch) * mask
+        blobs = blobs_in((likeness > FULL_LIKENESS // 2).astype(np.uint8), grid, likeness)
         reach = self._reach
-        area, rim_area = self.look.areas
+        area, rim_area = self.appearance.areas
         centres = [b for b in blobs if _within(b.area / area, (0.4, 1.9)) and self._off(b) < reach]
         pairs = [
             (c, r)
             for c in centres
             for r in blobs
-            if r is not c and _within(r.area / rim_area, (0.35, 1.9)) and _within(self._apart(c, r), (0.55, 1.25))
+            if r is not c and _within(r.area / rim_area, (0.35, 1.9)) and _within(self._stretch(c, r), (0.55, 1.25))
             and self._aside(c, r) < 2 * POINTS_AT
         ]  # fmt: skip
         if not pairs:
             self._lost += 1
-            return NOWHERE._replace(reason="rim marker not seen" if centres else "centre marker not seen")
+            return NO_POSE._replace(reason="rim marker not seen" if centres else "centre marker not seen")
         pairs.sort(key=lambda pair: self._cost(*pair))
         centre, rim = pairs[0]
         line = rim.middle - centre.middle
         reason = ""
         if not (_within(centre.area / area, SURE_AREA) and _within(rim.area / rim_area, SURE_AREA)):
             reason = "marker partly hidden"
-        elif not _within(self._apart(centre, rim), SURE_APART):
+        elif not _within(self._stretch(centre, rim), SURE_SPACING):
             reason = "markers at another distance"
         elif self._aside(centre, rim) > POINTS_AT:
             reason = "markers not in line"
@@ -256,20 +258,20 @@ class MarkerTracker:
     def _off(self, blob: Blob) -> float:
         return float(np.hypot(*(blob.middle - self._centre)))
 
-    def _apart(self, centre: Blob, rim: Blob) -> float:
-        return float(np.hypot(*(rim.middle - centre.middle))) / self.look.apart
+    def _stretch(self, centre: Blob, rim: Blob) -> float:
+        return float(np.hypot(*(rim.middle - centre.middle))) / self.appearance.spacing
 
     def _aside(self, centre: Blob, rim: Blob) -> float:
         """Angle between the centre marker's long side and the line to the rim marker, rad; 0 for a square one."""
-        if not self.look.long or centre.aspect < 1.25:
+        if not self.appearance.long or centre.aspect < 1.25:
             return 0.0
         line = rim.middle - centre.middle
         return abs(_half_turn(math.atan2(line[1], line[0]) - centre.axis))
 
     def _cost(self, centre: Blob, rim: Blob) -> float:
-        areas = np.log(np.array([centre.area, rim.area]) / self.look.areas)
-        apart = 3 * abs(self._apart(centre, rim) - 1)
-        return float(np.abs(areas).sum() + apart + self._aside(centre, rim) + self._off(centre) / MOST_MOVE)
+        areas = np.log(np.array([centre.area, rim.area]) / self.appearance.areas)
+        spacing = 3 * abs(self._stretch(centre, rim) - 1)
+        return float(np.abs(areas).sum() + spacing + self._aside(centre, rim) + self._off(centre) / MOST_MOVE)
 
 
 def _half_turn(angle: float) -> float:

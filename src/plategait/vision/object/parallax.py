@@ -17,25 +17,25 @@ from plategait.arrays import Array
 
 # Fewest frames and turns that tell the lift, and pieces of the line that the angle is measured against, per turn.
 FEWEST, LEAST_TURNS, MOST_PIECES = 20, 0.3, 6
-# The lift is small beside the markers' distance: this share of it, where nothing else is known.
+# The lift is small beside the markers' spacing: this share of it, where nothing else is known.
 USUAL_LIFT = 0.15
 # The correction must take out this share of the squared scatter, or it is not applied.
 LEAST_GAIN = 0.1
 ROUNDS, HUBER = 6, 1.5
 # Harmonics of the plate's swing, and of the place around the object, that the lift is made of.
 SWINGS, SHAPES = 3, 3
-# What a single frame's angle is known to, rad, and most lift as a share of the markers' distance.
+# What a single frame's angle is known to, rad, and most lift as a share of the markers' spacing.
 NOISE, MOST_LIFT = math.radians(0.7), 0.8
 
 
 @dataclass(frozen=True, eq=False)
-class Bending:
-    """What was found of the lift of the rim marker.
+class Parallax:
+    """What the lift of the rim marker does in a clip.
 
     Attributes
     ----------
     turn : (n,) array
-        By how much the angle is seen turned, rad.
+        By how much the angle appears turned, rad.
     lift : (n,) array
         Of the rim marker over the centre marker, m.
     """
@@ -44,12 +44,16 @@ class Bending:
     lift: Array
 
 
-def bending(time: Array, angle: Array, apart: Array, place: Array, eye: Array, frequency: float) -> Bending | None:
+def rim_parallax(
+    time: Array, angle: Array, spacing: Array, place: Array, eye: Array, frequency: float
+) -> Parallax | None:
     """Lift of the rim marker in each sure frame; None where the frames do not tell it.
+
+    A robust fit, linear about the lift so far in each of its rounds (Gauss-Newton).
 
     Parameters
     ----------
-    time, angle, apart : (n,) arrays
+    time, angle, spacing : (n,) arrays
         s, rad (joined over whole turns), m, as seen on the plate's plane.
     place : (n, 2) array
         Of the centre marker, m.
@@ -61,41 +65,53 @@ def bending(time: Array, angle: Array, apart: Array, place: Array, eye: Array, f
     turns = abs(float(angle[-1] - angle[0])) / (2 * math.pi) if len(angle) else 0.0
     if len(time) < FEWEST or turns < LEAST_TURNS or not np.isfinite(eye).all():
         return None
-    length, phase = float(np.median(apart)), 2 * math.pi * frequency * time
-    own, wobble = _line(time, angle, turns), _waves(phase, SWINGS)[0][:, 1:]
-    n, m, w = (2 * SWINGS + 1) * (2 * SHAPES + 1), own.shape[1], wobble.shape[1]
-    nothing = np.zeros((len(time), m + w))
+    length, phase = float(np.median(spacing)), 2 * math.pi * frequency * time
+    plain = np.concatenate([_line(time, angle, turns), _waves(phase, SWINGS)[0][:, 1:]], axis=1)
     lift, turn, weight = np.zeros(len(time)), np.zeros(len(time)), np.ones(2 * len(time))
     for _ in range(ROUNDS):
         # Where the marker is, not where it is seen, is what its lift depends on.
         true = angle - turn
-        swings, shapes = _waves(phase, SWINGS), _waves(true, SHAPES)
-        basis = (swings[0][:, :, None] * shapes[0][:, None, :]).reshape(len(time), -1)
-        order = (swings[1][:, None] + shapes[1][None, :]).ravel()
+        basis, order = _lift_basis(phase, true)
         sight = (place + length * np.stack([np.cos(true), np.sin(true)], axis=1) - eye[:, :2]) / eye[:, 2:]
-        seen, slopes = _seen(lift, true, sight)
-        rows = np.concatenate([
-            np.concatenate([slopes[0][:, None] * basis, own, wobble, np.zeros((len(time), 1))], axis=1),
-            np.concatenate([slopes[1][:, None] * basis, nothing, np.ones((len(time), 1))], axis=1),
-        ])  # fmt: skip
-        # Linear about the lift so far.
-        data = np.concatenate([angle - seen[0] + slopes[0] * lift, apart / length - seen[1] + 1 + slopes[1] * lift])
-        ridge = np.zeros((n, rows.shape[1]))
-        ridge[:, :n] = np.diag((1.0 + order) * NOISE / USUAL_LIFT)
-        A = np.concatenate([rows * weight[:, None], ridge])
-        found = np.linalg.lstsq(A, np.concatenate([data * weight, np.zeros(n)]), rcond=None)[0]
-        missed = np.abs(data - rows @ found)
-        scale = max(1.48 * float(np.median(missed)), 1e-6)
-        weight = np.sqrt(np.minimum(1.0, HUBER * scale / np.maximum(missed, 1e-12)))
-        lift = np.clip(basis @ found[:n], -MOST_LIFT, MOST_LIFT)
-        turn = _seen(lift, true, sight)[0][0]
-    plain = np.concatenate([own, wobble], axis=1)
+        apparent, slopes = _apparent(lift, true, sight)
+        rows = _design(basis, plain, slopes)
+        data = np.concatenate(
+            [angle - apparent[0] + slopes[0] * lift, spacing / length - apparent[1] + 1 + slopes[1] * lift]
+        )
+        solution = _ridge(rows * weight[:, None], data * weight, (1.0 + order) * NOISE / USUAL_LIFT)
+        residual = np.abs(data - rows @ solution)
+        scale = max(1.48 * float(np.median(residual)), 1e-6)
+        weight = np.sqrt(np.minimum(1.0, HUBER * scale / np.maximum(residual, 1e-12)))
+        lift = np.clip(basis @ solution[: basis.shape[1]], -MOST_LIFT, MOST_LIFT)
+        turn = _apparent(lift, true, sight)[0][0]
     before, after = (_scatter(plain, v, weight[: len(time)]) for v in (angle, angle - turn))
-    return Bending(turn, lift * length) if after < (1 - LEAST_GAIN) * before else None
+    return Parallax(turn, lift * length) if after < (1 - LEAST_GAIN) * before else None
 
 
-def _seen(lift: Array, true: Array, sight: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-    """Turn seen, rad, and distance seen, of a marker lifted by a share of its distance; and their slopes over it."""
+def _lift_basis(phase: Array, angle: Array) -> tuple[Array, Array]:
+    """(n, k) harmonics of the plate's swing times those of the place around the object, and the order of each."""
+    swings, shapes = _waves(phase, SWINGS), _waves(angle, SHAPES)
+    basis = (swings[0][:, :, None] * shapes[0][:, None, :]).reshape(len(phase), -1)
+    return basis, (swings[1][:, None] + shapes[1][None, :]).ravel()
+
+
+def _design(basis: Array, plain: Array, slopes: tuple[Array, Array]) -> Array:
+    """(2 n, k) what lift, plain motion and a longer spacing do to the angles, and to the spacings."""
+    one = np.ones((len(basis), 1))
+    angles = np.concatenate([slopes[0][:, None] * basis, plain, np.zeros_like(one)], axis=1)
+    return np.concatenate([angles, np.concatenate([slopes[1][:, None] * basis, np.zeros_like(plain), one], axis=1)])
+
+
+def _ridge(rows: Array, data: Array, penalty: Array) -> Array:
+    """Least squares with a penalty on the first unknowns."""
+    n = len(penalty)
+    ridge = np.zeros((n, rows.shape[1]))
+    ridge[:, :n] = np.diag(penalty)
+    return np.linalg.lstsq(np.concatenate([rows, ridge]), np.concatenate([data, np.zeros(n)]), rcond=None)[0]
+
+
+def _apparent(lift: Array, true: Array, sight: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+    """Apparent turn, rad, and spacing of a marker lifted by a share of its distance; and their slopes over the lift."""
     along = np.cos(true) * sight[:, 0] + np.sin(true) * sight[:, 1]
     aside = np.cos(true) * sight[:, 1] - np.sin(true) * sight[:, 0]
 
@@ -116,8 +132,8 @@ def _waves(phase: Array, orders: int) -> tuple[Array, Array]:
 
 def _scatter(plain: Array, angle: Array, weight: Array) -> float:
     """Mean square, rad², of what a plain motion leaves of the angles, with the weights that strays have lost."""
-    found = np.linalg.lstsq(plain * weight[:, None], angle * weight, rcond=None)[0]
-    return float(np.average((angle - plain @ found) ** 2, weights=weight**4))
+    solution = np.linalg.lstsq(plain * weight[:, None], angle * weight, rcond=None)[0]
+    return float(np.average((angle - plain @ solution) ** 2, weights=weight**4))
 
 
 def _line(time: Array, angle: Array, turns: float) -> Array:

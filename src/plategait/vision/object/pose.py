@@ -7,13 +7,13 @@ from typing import NamedTuple
 
 
 class Pose(NamedTuple):
-    """The object in one picture: middle (x, y), m; angle, rad; why it is uncertain; distance of the markers, m."""
+    """The object in one picture: middle (x, y), m; angle, rad; why it is uncertain; spacing of the markers, m."""
 
     x: float
     y: float
     angle: float
     reason: str = ""
-    apart: float = math.nan
+    spacing: float = math.nan
 
 
-NOWHERE = Pose(math.nan, math.nan, math.nan, "markers not seen")
+NO_POSE = Pose(math.nan, math.nan, math.nan, "markers not seen")

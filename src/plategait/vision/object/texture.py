@@ -1,8 +1,8 @@
 """An object without markers: its orientation from its own texture, or from its outline when it is not round.
 
 The object is cut out by its colour and unrolled about its middle, so that turning becomes shifting. A picture is laid
-over a model of the object at every shift of the whole circle at once; the model is the mean of the first sure pictures
-and then stays as it is, so that no error adds up over turns.
+over a template of the object at every shift of the whole circle at once; the template is the mean of the first sure
+pictures and then stays as it is, so that no error adds up over turns.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ ANGLES, RINGS, INNER, OUTER = 512, 28, 0.2, 0.9
 SMOOTH = math.radians(30)
 # Brighter than this is glare.
 GLARE = 245
-# Least correlation with the model, and how far the second best of other angles stays below it.
+# Least correlation with the template, and how far the second best of other angles stays below it.
 LEAST_FIT, LEAST_LEAD = {"texture": 0.25, "outline": 0.8}, 0.08
 # Angles nearer than this to the best are the same peak, rad.
 PEAK = math.radians(20)
-# Sure pictures that the model is made of.
-MODEL_PICTURES = 60
+# Sure pictures that the template is made of.
+TEMPLATE_PICTURES = 60
 # Least contrast of a texture, levels, and of an outline, share of its radius.
 LEAST_TEXTURE, LEAST_OUTLINE = 1.0, 0.02
 # Areas of an object over the plate's.
@@ -41,7 +41,7 @@ SYMMETRIES, SYMMETRIC = range(8, 1, -1), 0.9
 
 
 @dataclass(frozen=True, eq=False)
-class ObjectLook:
+class ObjectAppearance:
     """What the object of a clip looks like as a whole.
 
     Attributes
@@ -76,38 +76,42 @@ class ObjectLook:
         return cv2.morphologyEx(binary, cv2.MORPH_OPEN, np.ones((5, 5), np.uint8)).astype(np.uint8, copy=False)
 
 
-def learn_object(patches: list[Picture], grid: Grid, allowed: Picture) -> ObjectLook | None:
+def learn_object(patches: list[Picture], grid: Grid, allowed: Picture) -> ObjectAppearance | None:
     """What the object looks like, from some frames of a clip; None where nothing stands out from the plate."""
+    appearances = [a for a in (_appearance_in(patch, grid, allowed) for patch in patches) if a is not None]
+    if len(appearances) < max(2, len(patches) // 3):
+        return None
+    colour, ground, area, others = (
+        np.median([getattr(a, name) for a in appearances], axis=0) for name in ("colour", "ground", "area", "others")
+    )
+    return ObjectAppearance(colour, ground, float(area), int(others))
+
+
+def _appearance_in(patch: Picture, grid: Grid, allowed: Picture) -> ObjectAppearance | None:
+    """What the largest thing on the plate looks like in one picture; None where nothing stands out."""
     import cv2
 
-    found: list[ObjectLook] = []
     rows, columns = grid.shape
     within = np.zeros(grid.shape, bool)
     within[rows // 25 : -(rows // 25), columns // 25 : -(columns // 25)] = True
-    for patch in patches:
-        ground = plate_colour(patch, allowed)
-        distance = np.linalg.norm(patch.astype(np.float32) - ground.astype(np.float32), axis=2)
-        levels = np.clip(distance, 0, 255).astype(np.uint8)
-        level, _ = cv2.threshold(levels[within & (allowed > 0)], 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
-        if level < LEAST_COLOUR / 2:
-            continue
-        parts = _parts(((levels > level) & (allowed > 0) & within).astype(np.uint8), grid)
-        large = [p for p in parts if LEAST_OBJECT < p.sum() / (rows * columns) < MOST_OBJECT]
-        if not large:
-            continue
-        colour = np.median(patch[large[0] > 0], axis=0)
-        if np.linalg.norm(colour - ground) < LEAST_COLOUR:
-            continue
-        area = float(large[0].sum()) * grid.pitch**2
-        alike = sum(
-            p.sum() > 0.5 * large[0].sum() and np.linalg.norm(np.median(patch[p > 0], axis=0) - colour) < 25
-            for p in large[1:]
-        )
-        found.append(ObjectLook(colour, ground, area, int(alike)))
-    if len(found) < max(2, len(patches) // 3):
+    ground = plate_colour(patch, allowed)
+    distance = np.linalg.norm(patch.astype(np.float32) - ground.astype(np.float32), axis=2)
+    levels = np.clip(distance, 0, 255).astype(np.uint8)
+    level, _ = cv2.threshold(levels[within & (allowed > 0)], 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
+    if level < LEAST_COLOUR / 2:
         return None
-    middle = [np.median([getattr(f, name) for f in found], axis=0) for name in ("colour", "ground", "area", "others")]
-    return ObjectLook(middle[0], middle[1], float(middle[2]), int(middle[3]))
+    parts = _parts(((levels > level) & (allowed > 0) & within).astype(np.uint8), grid)
+    large = [p for p in parts if LEAST_OBJECT < p.sum() / (rows * columns) < MOST_OBJECT]
+    if not large:
+        return None
+    colour = np.median(patch[large[0] > 0], axis=0)
+    if np.linalg.norm(colour - ground) < LEAST_COLOUR:
+        return None
+    alike = sum(
+        p.sum() > 0.5 * large[0].sum() and np.linalg.norm(np.median(patch[p > 0], axis=0) - colour) < 25
+        for p in large[1:]
+    )
+    return ObjectAppearance(colour, ground, float(large[0].sum()) * grid.pitch**2, int(alike))
 
 
 def _parts(binary: Picture, grid: Grid) -> list[Picture]:
@@ -126,7 +130,7 @@ def _parts(binary: Picture, grid: Grid) -> list[Picture]:
 
 
 @dataclass(eq=False)
-class Model:
+class PolarTemplate:
     """Unrolled object in its own frame: rows that shift when it turns, and where they were seen.
 
     Attributes
@@ -141,13 +145,13 @@ class Model:
     spectrum: NDArray[np.complex128] | None = None
 
     def angle(self, rows: Array) -> tuple[float, float, float]:
-        """Turn against the model, rad, its correlation, and its lead over other angles."""
+        """Turn against the template, rad, its correlation, and its lead over other angles."""
         spectrum = np.fft.rfft(rows, axis=0)
         if self.spectrum is None:
             self.total, self.count, self.spectrum = rows.copy(), 1, spectrum
-        model = self.spectrum
-        energy = math.sqrt(float(_energy(model).sum() * _energy(spectrum).sum()))
-        curve = np.fft.irfft((spectrum * model.conj()).sum(axis=1), ANGLES) * ANGLES / max(energy, 1e-12)
+        template = self.spectrum
+        energy = math.sqrt(float(_energy(template).sum() * _energy(spectrum).sum()))
+        curve = np.fft.irfft((spectrum * template.conj()).sum(axis=1), ANGLES) * ANGLES / max(energy, 1e-12)
         k = int(np.argmax(curve))
         a, b, c = curve[k - 1], curve[k], curve[(k + 1) % ANGLES]
         turn = 2 * math.pi * (k + 0.5 * (a - c) / min(a - 2 * b + c, -1e-12)) / ANGLES
@@ -155,8 +159,8 @@ class Model:
         return turn, float(b), float(b - curve[away].max())
 
     def learn(self, rows: Array, turn: float) -> None:
-        """Add a sure picture to the model while it is not complete."""
-        if self.total is None or self.count >= MODEL_PICTURES:
+        """Add a sure picture to the template while it is not complete."""
+        if self.total is None or self.count >= TEMPLATE_PICTURES:
             return
         harmonics = np.arange(ANGLES // 2 + 1)[:, None]
         back = np.fft.irfft(np.fft.rfft(rows, axis=0) * np.exp(1j * harmonics * turn), ANGLES, axis=0)
@@ -164,7 +168,7 @@ class Model:
         self.spectrum = np.fft.rfft(self.total / self.count, axis=0)
 
     def symmetry(self) -> int:
-        """Turns of a full circle over this look the same to the model; 0 when every turn does."""
+        """Turns of a full circle over this look the same to the template; 0 when every turn does."""
         if self.spectrum is None:
             return 1
         curve = np.fft.irfft((np.abs(self.spectrum) ** 2).sum(axis=1), ANGLES)
@@ -188,19 +192,19 @@ class TextureTracker:
 
     Parameters
     ----------
-    look : ObjectLook
+    appearance : ObjectAppearance
     """
 
-    def __init__(self, look: ObjectLook) -> None:
-        self.look = look
-        self.texture, self.outline = Model("texture"), Model("outline")
+    def __init__(self, appearance: ObjectAppearance) -> None:
+        self.appearance = appearance
+        self.texture, self.outline = PolarTemplate("texture"), PolarTemplate("outline")
 
     def find(self, patch: Picture, grid: Grid, allowed: Picture) -> tuple[Pose, Pose]:
         """Pose in a warped picture by texture, and by outline; `allowed` is where the object may be."""
         import cv2
 
-        parts = _parts(self.look.mask(patch, allowed), grid)
-        if not parts or parts[0].sum() * grid.pitch**2 < SURE_AREA * self.look.area:
+        parts = _parts(self.appearance.mask(patch, allowed), grid)
+        if not parts or parts[0].sum() * grid.pitch**2 < SURE_AREA * self.appearance.area:
             lost = Pose(math.nan, math.nan, math.nan, "object not seen whole")
             return lost, lost
         m = cv2.moments(parts[0], True)
@@ -213,24 +217,24 @@ class TextureTracker:
             self._pose(self.outline, rim, float(x), float(y), "" if rim.std() > LEAST_OUTLINE else "round outline"),
         )
 
-    def _pose(self, model: Model, rows: Array, x: float, y: float, reason: str) -> Pose:
+    def _pose(self, template: PolarTemplate, rows: Array, x: float, y: float, reason: str) -> Pose:
         if reason:
             return Pose(x, y, math.nan, reason)
-        turn, fit, lead = model.angle(rows)
-        symmetric = model.symmetry() if model.name == "outline" else 1
-        if fit < LEAST_FIT[model.name]:
-            reason = f"{model.name} not recognised"
+        turn, fit, lead = template.angle(rows)
+        symmetric = template.symmetry() if template.name == "outline" else 1
+        if fit < LEAST_FIT[template.name]:
+            reason = f"{template.name} not recognised"
         elif lead < LEAST_LEAD and symmetric == 1:
-            reason = f"{model.name} fits at several angles"
+            reason = f"{template.name} fits at several angles"
         if not reason:
-            model.learn(rows, turn)
+            template.learn(rows, turn)
         return Pose(x, y, turn, reason)
 
     def _unrolled(self, luma: Picture, middle: tuple[float, float], pitch: float) -> tuple[Array, float]:
         """(ANGLES, RINGS) texture by angle counter-clockwise and radius, shading taken out; its contrast, levels."""
         import cv2
 
-        radius = self.look.radius / pitch
+        radius = self.appearance.radius / pitch
         total = round(RINGS / (OUTER - INNER))
         polar = cv2.warpPolar(luma, (total, ANGLES), middle, radius, _polar())
         first = round(INNER * total)
@@ -249,7 +253,7 @@ class TextureTracker:
         """(ANGLES, 1) distance of the outline by angle counter-clockwise, over its mean, less 1."""
         import cv2
 
-        reach = 2.0 * self.look.radius / pitch
+        reach = 2.0 * self.appearance.radius / pitch
         steps = 256
         polar = cv2.warpPolar(
             part * 255,

@@ -68,9 +68,9 @@ class OutlinePlate:
                     continue
                 quad = cv2.approxPolyDP(hull, 0.03 * cv2.arcLength(hull, True), True).reshape(-1, 2)
                 if len(quad) == 4 and cv2.contourArea(quad) > 0.93 * area:
-                    sharp = _straightened(quad.astype(float), hull.reshape(-1, 2).astype(float), contour.reshape(-1, 2))
-                    if sharp is not None:
-                        best, best_area = sharp, area
+                    refined = _refined(quad.astype(float), hull.reshape(-1, 2).astype(float), contour.reshape(-1, 2))
+                    if refined is not None:
+                        best, best_area = refined, area
         if best is None:
             return None
         return self._ordered((best + 0.5) * shrink - 0.5)
@@ -94,7 +94,7 @@ class OutlinePlate:
         return max(turns, key=fit)
 
 
-def _straightened(quad: Array, hull: Array, contour: Any) -> Array | None:
+def _refined(quad: Array, hull: Array, contour: Any) -> Array | None:
     """Corners where the straight lines through the four sides' points meet: finer than a pixel."""
     import cv2
 

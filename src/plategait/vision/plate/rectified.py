@@ -10,8 +10,8 @@ from plategait.arrays import Array, Picture
 from plategait.vision.frames import Frame
 from plategait.vision.plate.view import project
 
-# Longest side of a warped picture, px, and how far it reaches beyond the plate, as a share of the plate.
-MOST_PIXELS, BEYOND = 440, 1.08
+# Longest side of a warped picture, px, and its size over the plate's, a little beyond which it reaches.
+MOST_PIXELS, MARGIN = 440, 1.08
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +37,8 @@ class Grid:
         points = np.array([[0.0, 0.0], [1e-3, 0.0], [0.0, 1e-3]])
         p = project(H, points)
         scale = 1e3 * float(max(np.linalg.norm(p[1] - p[0]), np.linalg.norm(p[2] - p[0])))
-        pitch = max(1 / scale, BEYOND * max(size) / MOST_PIXELS)
-        rows, columns = (int(BEYOND * s / pitch) + 1 for s in (size[1], size[0]))
+        pitch = max(1 / scale, MARGIN * max(size) / MOST_PIXELS)
+        rows, columns = (int(MARGIN * s / pitch) + 1 for s in (size[1], size[0]))
         return cls((rows, columns), pitch, (-pitch * (columns - 1) / 2, pitch * (rows - 1) / 2))
 
     @property

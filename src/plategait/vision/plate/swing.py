@@ -59,18 +59,18 @@ def plate_swing(
     focal : float, optional
         Focal length, px; from the views by default.
     """
-    seen = np.isfinite(views).all(axis=(1, 2))
-    if seen.sum() < 8:
+    visible = np.isfinite(views).all(axis=(1, 2))
+    if visible.sum() < 8:
         return PlateSwing(math.nan, math.nan, None, math.nan)
-    H = np.linalg.inv(np.array([[1, 0, middle[0]], [0, 1, middle[1]], [0, 0, 1.0]])) @ views[seen]
-    frequency = _frequency(time[seen], _corners(H, size))
+    H = np.linalg.inv(np.array([[1, 0, middle[0]], [0, 1, middle[1]], [0, 0, 1.0]])) @ views[visible]
+    frequency = _frequency(time[visible], _corners(H, size))
     focal = focal or focal_of(H, max(middle) * 2)
     if not focal:
         return PlateSwing(frequency, math.nan, None, math.nan)
     R, t = poses(H, focal)
     eye = np.full((len(time), 3), math.nan)
-    eye[seen] = -np.einsum("nji,nj->ni", R, t)
-    return PlateSwing(frequency, _tilt(time[seen], R, frequency), eye, focal)
+    eye[visible] = -np.einsum("nji,nj->ni", R, t)
+    return PlateSwing(frequency, _tilt(time[visible], R, frequency), eye, focal)
 
 
 def focal_of(H: Array, longest: float) -> float | None:
@@ -117,10 +117,9 @@ def _tilt(time: Array, R: Array, frequency: float) -> float:
         low, high = np.percentile(angle, [2, 98])
         return float(high - low) / 2
     A = _swing(time, frequency)
-    found = np.linalg.lstsq(A, angle, rcond=None)[0]
-    missed = np.abs(angle - A @ found)
-    kept = missed <= 4 * 1.48 * np.median(missed) + 1e-9
-    return float(np.hypot(*np.linalg.lstsq(A[kept], angle[kept], rcond=None)[0][:2]))
+    residual = np.abs(angle - A @ np.linalg.lstsq(A, angle, rcond=None)[0])
+    inliers = residual <= 4 * 1.48 * np.median(residual) + 1e-9
+    return float(np.hypot(*np.linalg.lstsq(A[inliers], angle[inliers], rcond=None)[0][:2]))
 
 
 def _swing(time: Array, frequency: float) -> Array:

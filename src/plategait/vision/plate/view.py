@@ -111,8 +111,8 @@ class FiducialPlate:
             parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = low, high
             parameters.adaptiveThreshWinSizeStep = step
             self._detectors.append(cv2.aruco.ArucoDetector(dictionary, parameters))
-        self._seen: dict[int, Array] = {}
-        self._last: dict[int, Array] = {}
+        self._boxes: dict[int, Array] = {}
+        self._last_corners: dict[int, Array] = {}
         self._searched = -SEARCH_EVERY
         self._frames = 0
 
@@ -123,16 +123,16 @@ class FiducialPlate:
         if len(read) + len(outlined) < len(self.target.corners) and self._frames - self._searched >= SEARCH_EVERY:
             self._searched = self._frames
             read = self._within(luma, None)[0] | read
-        for k, found in read.items():
-            low, high = found.min(axis=0), found.max(axis=0)
-            box = self._seen.get(k)
+        for k, corners in read.items():
+            low, high = corners.min(axis=0), corners.max(axis=0)
+            box = self._boxes.get(k)
             # The box keeps all places of the swing, and lets go of one-time excursions slowly.
-            self._seen[k] = (
+            self._boxes[k] = (
                 np.array([low, high])
                 if box is None
                 else np.array([np.minimum(low, box[0] + 0.02 * (low - box[0])), np.maximum(high, box[1])])
             )
-            self._last[k] = found
+            self._last_corners[k] = corners
         return self._view(read, {k: quad for k, quad in outlined.items() if k not in read})
 
     def occupied(self) -> list[Array]:
@@ -144,8 +144,8 @@ class FiducialPlate:
         read: dict[int, Array] = {}
         outlined: dict[int, Array] = {}
         height, width = luma.shape
-        for k, box in self._seen.items():
-            margin = 0.4 * (self._last[k].max(axis=0) - self._last[k].min(axis=0)).max() + 6
+        for k, box in self._boxes.items():
+            margin = 0.4 * (self._last_corners[k].max(axis=0) - self._last_corners[k].min(axis=0)).max() + 6
             low = np.maximum(box[0] - margin, 0).astype(int)
             high = np.minimum(box[1] + margin, (width, height)).astype(int)
             if (high - low).min() < SMALLEST_MARKER:
@@ -153,8 +153,8 @@ class FiducialPlate:
             inside, others = self._within(luma, (low[0], low[1], high[0], high[1]))
             if k in inside:
                 read[k] = inside[k]
-            elif (quad := _likest(others, self._last[k])) is not None:
-                outlined[k] = _sharpened(luma, quad)
+            elif (quad := _most_similar(others, self._last_corners[k])) is not None:
+                outlined[k] = _refined(luma, quad)
         return read, outlined
 
     def _within(self, luma: Picture, box: tuple[int, int, int, int] | None) -> tuple[dict[int, Array], list[Array]]:
@@ -166,31 +166,32 @@ class FiducialPlate:
         def placed(quad: Array) -> Array:
             return np.asarray(quad, dtype=float).reshape(4, 2) + np.array([x, y])
 
-        known = range(len(self.target.corners))
+        own = range(len(self.target.corners))
         listed = [] if numbers is None else zip(np.ravel(numbers), corners, strict=True)
-        read = {int(n): _sharpened(luma, placed(c)) for n, c in listed if int(n) in known}
+        read = {int(n): _refined(luma, placed(c)) for n, c in listed if int(n) in own}
         return read, [placed(c) for c in others]
 
     def _view(self, read: dict[int, Array], outlined: dict[int, Array]) -> PlateView:
-        kept = read | outlined
+        fiducials = read | outlined
         if not read:
             return PlateView(None, "no fiducial seen")
         while True:
-            plate = np.concatenate([np.asarray(self.target.corners[k], dtype=float) for k in kept])
-            pixels = np.concatenate(list(kept.values()))
+            plate = np.concatenate([np.asarray(self.target.corners[k], dtype=float) for k in fiducials])
+            pixels = np.concatenate(list(fiducials.values()))
             H = self._fitted(plate, pixels)
             if H is None:
                 return PlateView(None, "fiducials in a line")
-            missed = np.linalg.norm(project(H, plate) - pixels, axis=1).reshape(-1, 4).max(axis=1)
-            side = min(float(np.linalg.norm(c - np.roll(c, 1, axis=0), axis=1).min()) for c in kept.values())
+            residual = np.linalg.norm(project(H, plate) - pixels, axis=1).reshape(-1, 4).max(axis=1)
+            side = min(float(np.linalg.norm(c - np.roll(c, 1, axis=0), axis=1).min()) for c in fiducials.values())
             worst = max(WORST_CORNER, WORST_SHARE * side)
-            if missed.max() <= worst or len(kept) <= 2:
+            if residual.max() <= worst or len(fiducials) <= 2:
                 break
             # Those that were not read go first.
-            del kept[max(kept, key=lambda k: (k not in read, missed[list(kept).index(k)]))]
-        if missed.max() > worst:
+            order = list(fiducials)
+            del fiducials[max(order, key=lambda k: (k not in read, residual[order.index(k)]))]
+        if residual.max() > worst:
             return PlateView(H, "fiducials do not fit together")
-        return PlateView(H, "" if len(kept) > 1 else "a single fiducial seen")
+        return PlateView(H, "" if len(fiducials) > 1 else "a single fiducial seen")
 
     def _fitted(self, plate: Array, pixels: Array) -> Array | None:
         """Homography; of a rigid plate before a known lens, which needs less to be seen."""
@@ -198,7 +199,7 @@ class FiducialPlate:
         return H if H is None or self.lens is None else rigid(H, plate, pixels, self.lens)
 
 
-def _sharpened(luma: Picture, quad: Array) -> Array:
+def _refined(luma: Picture, quad: Array) -> Array:
     """Corners (4, 2), px, finer than a pixel."""
     import cv2
 
@@ -213,7 +214,7 @@ def _sharpened(luma: Picture, quad: Array) -> Array:
     return cv2.cornerSubPix(part, points, (reach, reach), (-1, -1), stop).astype(float) + low
 
 
-def _likest(quads: list[Array], last: Array) -> Array | None:
+def _most_similar(quads: list[Array], last: Array) -> Array | None:
     """Quadrilateral most like the last one seen there, in its order of corners; None where none is alike."""
     shape = last - last.mean(axis=0)
     side = float(np.linalg.norm(last - np.roll(last, 1, axis=0), axis=1).min())

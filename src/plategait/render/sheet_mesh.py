@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.arrays import Array
+from plategait.arrays import Array, Flags
 from plategait.errors import InputError
 from plategait.model.sheet import Sheet
 
@@ -28,15 +28,15 @@ class Faces:
     nearer: float = 0.0  # how much closer to the camera to take them when sorting, m
 
 
-class Spline:
+class SheetSpline:
     """Thin-plate spline through a sheet's nodes: smooth between them and on to the outline, half a pitch beyond."""
 
     def __init__(self, sheet: Sheet) -> None:
         lattice = sheet.lattice
         stride = math.ceil(math.sqrt(lattice.n_nodes / MOST_NODES))
-        self.kept = np.nonzero((lattice.squares % stride == 0).all(axis=1))[0]
+        self.retained = np.nonzero((lattice.squares % stride == 0).all(axis=1))[0]
         self.centre = (np.array(lattice.occupied.shape) - 1) / 2
-        self.nodes = lattice.squares[self.kept] - self.centre
+        self.nodes = lattice.squares[self.retained] - self.centre
         self.pitch, self.reach, self.wide = sheet.pitch, float(stride), np.ptp(self.nodes, axis=0) > 0
         n, basis = len(self.nodes), self._basis(self.nodes)
         system = np.zeros((basis.shape[1], basis.shape[1]))
@@ -50,7 +50,7 @@ class Spline:
         kernel = square * np.log(np.maximum(square, 1e-30))
         return np.concatenate([kernel, np.ones((len(points), 1)), points[:, self.wide]], axis=1, dtype=np.float64)
 
-    def reaches(self, points: Array) -> NDArray[np.bool_]:
+    def reaches(self, points: Array) -> Flags:
         """Whether points (n, 2), m, are within a pitch of a node."""
         from scipy.spatial.distance import cdist
 
@@ -59,48 +59,53 @@ class Spline:
     def onto(self, x: Array, y: Array) -> Callable[[Array], Array]:
         """Give what takes values at all nodes (n_nodes, k) to values (len(x), len(y), k) on a grid of points, m."""
         basis = self._basis(np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2) / self.pitch)
-        return lambda values: (basis @ (self.solution @ values[self.kept])).reshape(len(x), len(y), -1)
+        return lambda values: (basis @ (self.solution @ values[self.retained])).reshape(len(x), len(y), -1)
 
 
-class Skin:
+class SheetMesh:
     """A sheet's surfaces: grid cells trimmed to the outline, its rim, and two markers that form a radial line."""
 
     def __init__(self, sheet: Sheet) -> None:
-        spline, extent = Spline(sheet), np.array(sheet.outline.size())
-        if not spline.wide.all():
+        self.sheet, self.spline = sheet, SheetSpline(sheet)
+        extent = np.array(sheet.outline.size())
+        if not self.spline.wide.all():
             raise InputError(
                 "sheet", "a single row of nodes", "at least 2 nodes across both ways", "a finer sheet.pitch"
             )
         self.thickness, self.step = sheet.thickness, float(extent.max()) / CELLS
         x, y = (self.step * np.arange(-half - 1, half + 2) for half in np.ceil(extent / 2 / self.step))
-        self.onto = spline.onto(x, y)
+        self.onto = self.spline.onto(x, y)
         grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
-
-        def inside(points: Array) -> NDArray[np.bool_]:
-            return sheet.outline.contains(points[:, 0], points[:, 1]) & spline.reaches(points)
-
-        within = inside(grid)
+        within = self._inside(grid)
         number = np.arange(len(grid)).reshape(len(x), len(y))
         cells = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1).reshape(-1, 4)
         corners_in = within[cells].sum(axis=1)
         self.whole = cells[corners_in == 4]
         self.trimmed, self.rim, self.edges = _trim(cells[(corners_in > 0) & (corners_in < 4)], within, len(grid))
-        # Where the outline crosses the edges, by halving.
+        self.crossing = self._crossings(grid)
+        self.used = np.unique(self.whole)
+        along = grid[within & (np.abs(grid[:, 1]) <= self.step), 0]
+        places = (0.0, 0.8 * float(along.max(initial=0.0)))
+        self.markers = [self._marker(place, float(extent.min()) / 2) for place in places]
+
+    def _inside(self, points: Array) -> Flags:
+        """Whether points (n, 2), m, lie within the outline and near enough to a node."""
+        return self.sheet.outline.contains(points[:, 0], points[:, 1]) & self.spline.reaches(points)
+
+    def _crossings(self, grid: Array) -> Array:
+        """Where the outline crosses the edges, as a share of their length, by halving."""
         low, high = np.zeros(len(self.edges)), np.ones(len(self.edges))
         for _ in range(20):
             middle = (low + high) / 2
-            hit = inside(_between(grid, self.edges, middle))
-            low, high = np.where(hit, middle, low), np.where(hit, high, middle)
-        self.crossing = low
-        self.used = np.unique(self.whole)
-        along = grid[within & (np.abs(grid[:, 1]) <= self.step), 0]
-        size = float(extent.min()) / 2
-        places = (0.0, 0.8 * float(along.max(initial=0.0)))
-        self.markers = []
-        for place in places:
-            mx, my = place + size * np.linspace(-0.17, 0.17, 9), size * np.linspace(-0.085, 0.085, 5)
-            middles = np.stack(np.meshgrid((mx[1:] + mx[:-1]) / 2, (my[1:] + my[:-1]) / 2, indexing="ij"), axis=-1)
-            self.markers.append((spline.onto(mx, my), inside(middles.reshape(-1, 2))))
+            inside = self._inside(_between(grid, self.edges, middle))
+            low, high = np.where(inside, middle, low), np.where(inside, high, middle)
+        return low
+
+    def _marker(self, place: float, size: float) -> tuple[Callable[[Array], Array], Flags]:
+        """What draws a marker at x = `place`, m, on a sheet of half this size: see `SheetSpline.onto`; cells inside."""
+        x, y = place + size * np.linspace(-0.17, 0.17, 9), size * np.linspace(-0.085, 0.085, 5)
+        middles = np.stack(np.meshgrid((x[1:] + x[:-1]) / 2, (y[1:] + y[:-1]) / 2, indexing="ij"), axis=-1)
+        return self.spline.onto(x, y), self._inside(middles.reshape(-1, 2))
 
     def surface(self, nodes: Array) -> tuple[Array, Array]:
         """(n, 3) vertices of the lower face and their upward unit normals."""
@@ -121,10 +126,10 @@ class Skin:
         faces.append(
             Faces(np.stack([low[a], low[b], high[b], high[a]], axis=1), np.cross(low[b] - low[a], up[a]), SHEET_COLOUR)
         )
-        for onto, kept in self.markers:
+        for onto, inside in self.markers:
             patch = onto(nodes)
             patch = patch + (self.thickness + 2e-4) * _normals(patch)
-            cells = _cells(patch)[kept]
+            cells = _cells(patch)[inside]
             faces.append(
                 Faces(
                     cells,
@@ -155,7 +160,7 @@ def _between(points: Array, edges: NDArray[np.intp], share: Array) -> Array:
 
 
 def _trim(
-    cells: NDArray[np.intp], within: NDArray[np.bool_], n: int
+    cells: NDArray[np.intp], within: Flags, n: int
 ) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
     """Cut the cells that an outline crosses.
 

@@ -1,4 +1,4 @@
-"""The stage: plate, bar, light and shadow, and the sheet upon it. A painter's algorithm on supersampled images."""
+"""A picture of a run: plate, bar, light, shadow and sheet, by a painter's algorithm on supersampled images."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from plategait.arrays import Array
 from plategait.model.motion import rotation_of
 from plategait.model.scenario import Scenario
-from plategait.render.skin import Faces, Skin, unit_vectors
+from plategait.render.sheet_mesh import Faces, SheetMesh, unit_vectors
 from plategait.render.viewpoint import framing
 
 if TYPE_CHECKING:
@@ -29,13 +29,13 @@ _PLATE, _GRID, _AXIS, _METAL = (203, 212, 221), (186, 196, 207), (112, 126, 143)
 _AMBIENT, _DIFFUSE, _SHINE = 0.50, 0.56, 0.18
 
 
-class Stage:
-    """Everything about a picture that does not change from frame to frame."""
+class Painter:
+    """Draws the frames of a run; holds what does not change from frame to frame."""
 
     def __init__(self, scenario: Scenario, poses: Array, size: tuple[int, int]) -> None:
         from PIL import Image
 
-        self.skin = Skin(scenario.sheet)
+        self.sheet_mesh = SheetMesh(scenario.sheet)
         self.height = scenario.motion.height
         side = 1.5 * max(scenario.sheet.outline.size())
         self.half = (
@@ -63,19 +63,19 @@ class Stage:
         """One frame."""
         from PIL import Image, ImageDraw
 
-        rotation, moved = rotation_of(pose), self._origin(pose)
-        low, up = self.skin.surface(nodes)
-        polygons, colours, corners = self._seen(self.skin.faces(nodes, low, up))
+        rotation, origin = rotation_of(pose), self._origin(pose)
+        low, up = self.sheet_mesh.surface(nodes)
+        polygons, colours, corners = self._visible(self.sheet_mesh.faces(nodes, low, up))
         # The plane of the plate parts what it hides from what hides it.
-        towards = rotation[:, 2] * np.sign((self.camera.eye - moved) @ rotation[:, 2])
-        hidden = (corners - moved) @ towards < -2 * self.skin.thickness
+        towards = rotation[:, 2] * np.sign((self.camera.eye - origin) @ rotation[:, 2])
+        hidden = (corners - origin) @ towards < -2 * self.sheet_mesh.thickness
         canvas = self.background.copy()
         draw = ImageDraw.Draw(canvas)
         for k in np.nonzero(hidden)[0]:
             draw.polygon(polygons[k], colours[k])
-        self._draw_plate(draw, rotation, moved)
+        self._draw_plate(draw, rotation, origin)
         picture = canvas.reduce(FINER)
-        self._cast_shadow(picture, (low[self.skin.used] - moved) @ rotation, rotation, moved)
+        self._cast_shadow(picture, (low[self.sheet_mesh.used] - origin) @ rotation, rotation, origin)
         layer = Image.new("RGBA", canvas.size)
         draw = ImageDraw.Draw(layer)
         for k in np.nonzero(~hidden)[0]:
@@ -87,7 +87,7 @@ class Stage:
             picture.paste(smooth, (left, top), smooth)
         return picture
 
-    def _seen(self, groups: list[Faces]) -> tuple[list[list[float]], list[tuple[int, int, int]], Array]:
+    def _visible(self, groups: list[Faces]) -> tuple[list[list[float]], list[tuple[int, int, int]], Array]:
         """Polygons in pixels and their colours, the furthest first, and the middle of each in the world."""
         polygons: list[list[float]] = []
         colours, middles, depths = [], [], []
@@ -95,11 +95,11 @@ class Stage:
             pixels, depth = self.camera.project_with_depth(group.corners)
             x, y = np.moveaxis(pixels, -1, 0)
             facing = (x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1) < 0
-            seen = facing & (depth.min(axis=1) > 1e-3) & (np.abs(pixels).max(axis=(1, 2)) < 1e5)
-            polygons += pixels[seen].reshape(-1, 2 * pixels.shape[1]).tolist()
-            colours.append(self._lit(group.colour, group.outward[seen]))
-            middles.append(group.corners[seen].mean(axis=1))
-            depths.append(depth[seen].mean(axis=1) - group.nearer)
+            visible = facing & (depth.min(axis=1) > 1e-3) & (np.abs(pixels).max(axis=(1, 2)) < 1e5)
+            polygons += pixels[visible].reshape(-1, 2 * pixels.shape[1]).tolist()
+            colours.append(self._lit(group.colour, group.outward[visible]))
+            middles.append(group.corners[visible].mean(axis=1))
+            depths.append(depth[visible].mean(axis=1) - group.nearer)
         order = np.argsort(-np.concatenate(depths))
         colour = np.concatenate(colours)[order].tolist()
         return [polygons[k] for k in order], [tuple(c) for c in colour], np.concatenate(middles)[order]
@@ -111,9 +111,9 @@ class Stage:
         shine = 255 * _SHINE * np.maximum(outward @ self.halfway, 0) ** 30
         return np.clip(np.outer(matt, colour) + shine[:, None], 0, 255).astype(np.uint8)
 
-    def _draw_plate(self, draw: ImageDraw, rotation: Array, moved: Array) -> None:
+    def _draw_plate(self, draw: ImageDraw, rotation: Array, origin: Array) -> None:
         def pixels(points: ArrayLike) -> Array:
-            return self.camera.project(np.asarray(points, dtype=float) @ rotation.T + moved)
+            return self.camera.project(np.asarray(points, dtype=float) @ rotation.T + origin)
 
         def lines(points: ArrayLike, colour: tuple[int, int, int], width: float) -> None:
             for line in pixels(points).reshape(-1, 4).tolist():
@@ -131,10 +131,10 @@ class Stage:
         for corners, colour in ((sides, _METAL), (slab, _PLATE)):
             outward = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ rotation.T
             for polygon, tint in zip(
-                *self._seen([Faces(corners @ rotation.T + moved, outward, colour)])[:2], strict=True
+                *self._visible([Faces(corners @ rotation.T + origin, outward, colour)])[:2], strict=True
             ):
                 draw.polygon(polygon, tint)
-        if (self.camera.eye - moved) @ rotation[:, 2] > 0:
+        if (self.camera.eye - origin) @ rotation[:, 2] > 0:
             pitch = 10 ** round(math.log10(2 * max(length, width) / 8))
             for k in range(-int(length / pitch), int(length / pitch) + 1):
                 lines([(k * pitch, -width, 0), (k * pitch, width, 0)], _GRID, 1)
@@ -142,16 +142,16 @@ class Stage:
                 lines([(-length, k * pitch, 0), (length, k * pitch, 0)], _GRID, 1)
             lines([(-length, 0, 0), (length, 0, 0)], _AXIS, 1.5)
 
-    def _cast_shadow(self, picture: Image, sheet: Array, rotation: Array, moved: Array) -> None:
+    def _cast_shadow(self, picture: Image, sheet: Array, rotation: Array, origin: Array) -> None:
         """Darken the plate under the sheet (n, 3), plate frame: sharply where it touches, softly where it is lifted."""
         from PIL import Image
         from scipy.ndimage import gaussian_filter
 
-        if (self.camera.eye - moved) @ rotation[:, 2] <= 0:
+        if (self.camera.eye - origin) @ rotation[:, 2] <= 0:
             return
         grain = self.half.max() / 80
         shape = np.ceil(2 * self.half / grain).astype(int)
-        sheet = sheet[sheet[:, 2] > -2 * self.skin.thickness]
+        sheet = sheet[sheet[:, 2] > -2 * self.sheet_mesh.thickness]
         ray = self.light @ rotation
         height = np.maximum(sheet[:, 2], 0)
         falls = (sheet[:, :2] - height[:, None] * ray[:2] / ray[2] + self.half) / grain
@@ -161,12 +161,12 @@ class Stage:
         close = np.exp(-height[on] / 3e-3)
 
         def cover(weights: Array, blur: float) -> Array:
-            share = np.bincount(index, weights, shape.prod()).reshape(shape) * (self.skin.step / grain) ** 2
+            share = np.bincount(index, weights, shape.prod()).reshape(shape) * (self.sheet_mesh.step / grain) ** 2
             return np.minimum(gaussian_filter(share, blur / grain), 1)
 
         dark = 0.45 * cover(close, 1.5e-3) + 0.4 * cover(1 - close, 4e-3) + 0.3 * cover(close, 5e-3)
         texture = Image.fromarray((255 * np.clip(dark, 0, 0.7)).astype(np.uint8).T)
-        plane = self.camera.plane(moved, rotation[:, 0], rotation[:, 1])
+        plane = self.camera.plane(origin, rotation[:, 0], rotation[:, 1])
         scale = np.diag([FINER, FINER, 1.0])
         to_texture = (
             np.array([[1, 0, self.half[0]], [0, 1, self.half[1]], [0, 0, grain]]) @ np.linalg.inv(plane) @ scale

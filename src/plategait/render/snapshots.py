@@ -1,4 +1,4 @@
-"""The shapes of a recording, and what lies between them."""
+"""The snapshots of a recording, and the shapes between them."""
 
 from __future__ import annotations
 
@@ -6,30 +6,46 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from plategait.arrays import Array
+from plategait.arrays import Array, Flags
 from plategait.engine.recording import Recording
 from plategait.errors import InputError
 from plategait.model.scenario import Scenario
-from plategait.simulation.observation import observe
+from plategait.simulation.observables import Failure
 
 # Fewest snapshots in a plate period that can be drawn between.
 SNAPSHOTS_PER_PERIOD = 8
 
 
 @dataclass(frozen=True, eq=False)
-class Shots:
-    """The snapshots of a recording that are finite, and what lies between them."""
+class Snapshots:
+    """The snapshots of a recording that are finite, and what lies between them.
+
+    Attributes
+    ----------
+    time : (n,) array
+        s.
+    nodes : (n, n_nodes, 3) array
+        In the world frame, m.
+    pose : (n, 6) array
+        Of the plate, m and rad.
+    """
 
     time: Array
     nodes: Array
     pose: Array
 
     @classmethod
-    def of(cls, scenario: Scenario, recording: Recording, frame_interval: float) -> Shots:
-        """Take the snapshots up to where the motion ceased to be finite; refuse too few."""
-        finite: NDArray[np.bool_] = np.isfinite(recording.snapshots.sum(axis=(1, 2)))
+    def of(cls, scenario: Scenario, recording: Recording, frame_interval: float) -> Snapshots:
+        """Take the snapshots up to where the motion ceased to be finite.
+
+        Raises
+        ------
+        InputError
+            Where there are none, or fewer than one in a frame interval, s, or eight in a plate period.
+        """
+        finite: Flags = np.isfinite(recording.snapshots.sum(axis=(1, 2)))
         last = len(finite) if finite.all() else int(np.argmin(finite))
         period, time = scenario.motion.period, recording.snapshot_time[:last]
         advice = f"simulate(scenario, snapshot_interval={period / 24:.2g})"
@@ -42,10 +58,9 @@ class Shots:
             )
         return cls(time, recording.snapshots[:last].astype(float), recording.plate_pose[:last])
 
-    def end(self, scenario: Scenario, recording: Recording, until: float | None, fall: float = 0.0) -> float:
-        """Time to stop at: as asked, or the failure (`fall` after it fell off the plate), or the last snapshot."""
+    def end(self, failure: Failure | None, until: float | None, fall: float = 0.0) -> float:
+        """Time to stop at, s: as asked, or the failure (`fall` after it left the plate), or the last snapshot."""
         if until is None:
-            failure = observe(scenario, recording).failure
             until = math.inf if failure is None else failure.time + (fall if failure.kind == "left the plate" else 0.0)
         elif not until > self.time[0]:
             raise InputError("until", until, "a time after the first snapshot, s", f"{self.time[-1]:g}")

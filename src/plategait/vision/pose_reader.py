@@ -1,9 +1,8 @@
-"""What a clip's first frames teach: how to find its plate, and its object on it."""
+"""Reads the poses off each frame, as a clip's first frames teach: how to find its plate, and the object on it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -13,17 +12,18 @@ from plategait.camera.camera import Calibration
 from plategait.camera.fiducials import plate_target
 from plategait.errors import InputError
 from plategait.vision.frames import Frame, open_video
-from plategait.vision.lens import straightener, zoomed
-from plategait.vision.object.markers import MarkerLook, MarkerTracker, learn_look
-from plategait.vision.object.pose import NOWHERE, Pose
+from plategait.vision.lens import scaled_matrix, undistorter
+from plategait.vision.object.markers import MarkerTracker, learn_markers
+from plategait.vision.object.pose import NO_POSE, Pose
 from plategait.vision.object.texture import TextureTracker, learn_object
 from plategait.vision.plate.outline import OutlinePlate
 from plategait.vision.plate.rectified import Grid
 from plategait.vision.plate.swing import focal_of
 from plategait.vision.plate.view import FiducialPlate, PlateFinder, PlateView, ScalePlate
+from plategait.vision.setup import Setup
 
 # Frames at a clip's start from which its plate, markers and object are learnt, and most bytes of them.
-SURVEY, SURVEY_BYTES = 60, 150e6
+LEARNING_FRAMES, LEARNING_BYTES = 60, 150e6
 # Of those, pictures looked at closely, and the least that must show the plate.
 MOST_PATCHES, LEAST_PATCHES = 15, 2
 # Share of the pictures in which what was learnt as markers must be found again.
@@ -32,67 +32,8 @@ LEAST_FOLLOWED = 0.3
 LEAST_TILTS = 10
 
 
-@dataclass(frozen=True)
-class Setup:
-    """How a clip was filmed.
-
-    Attributes
-    ----------
-    plate_size : (length, width)
-        m, along the bar and across it.
-    fiducial : float, optional
-        Side of the fiducials at the plate's corners, m; by default a sixth of the plate's shorter side.
-    plate : {"auto", "fiducials", "outline", "scale"}
-        What the plate is known by.
-    scale : float, optional
-        Metres in a pixel, for a camera that looks straight down on the plate; then `plate` is "scale".
-    object : {"auto", "markers", "texture", "outline"}
-        What the object's orientation is known by.
-    calibration : Calibration, optional
-        Of the lens.
-    fps : float, optional
-        Frames per second at which it was taken, where the file says otherwise.
-    plate_frequency : float, optional
-        Of the plate, Hz.
-    seconds : float, optional
-        Of the clip to use; of a camera, how long to film.
-    """
-
-    plate_size: tuple[float, float] = (0.1, 0.1)
-    fiducial: float | None = None
-    plate: str = "auto"
-    scale: float | None = None
-    object: str = "auto"
-    calibration: Calibration | None = None
-    fps: float | None = None
-    plate_frequency: float | None = None
-    seconds: float | None = None
-
-    @property
-    def fiducial_side(self) -> float:
-        """Side of the fiducials, m."""
-        return min(self.plate_size) / 6 if self.fiducial is None else self.fiducial
-
-    def __post_init__(self) -> None:
-        """Refuse what cannot be."""
-        for name, value, among in (
-            ("--plate", self.plate, ("auto", "fiducials", "outline", "scale")),
-            ("--object", self.object, ("auto", "markers", "texture", "outline")),
-        ):
-            if value not in among:
-                raise InputError(name, value, f"one of {', '.join(among)}", "auto")
-        for name, given, used in (
-            ("--fiducial", self.fiducial, ("auto", "fiducials")),
-            ("--scale", self.scale, ("auto", "scale")),
-        ):
-            if given is not None and self.plate not in used:
-                raise InputError(name, f"{1e3 * given:g} mm", f"left out with --plate {self.plate}", "--plate auto")
-        if self.plate == "scale" and self.scale is None:
-            raise InputError("--scale", "nothing", "the size of a pixel on the plate", "0.2 mm")
-
-
-class Eyes:
-    """Finds the plate and the object in each frame, with what the first frames taught.
+class PoseReader:
+    """Finds the plate and the object in each frame, as the first frames taught it to.
 
     Parameters
     ----------
@@ -115,30 +56,14 @@ class Eyes:
         self.plate.lens = _lens_of(views, setup.calibration, self.picture)
         if self.plate.lens is not None:
             views = [self.plate.find(frame.luma) for frame in frames]
-        both = zip(frames, views, strict=True)
-        sure = [(f, v.homography) for f, v in both if v.homography is not None and not v.reason]
+        pairs = zip(frames, views, strict=True)
+        sure = [(f, v.homography) for f, v in pairs if v.homography is not None and not v.reason]
         spaced = sure[:: max(1, len(sure) // MOST_PATCHES)]
         self.grid = Grid.over(setup.plate_size, spaced[0][1])
         self.allowed = self.grid.mask(self.plate.occupied())
-        patches = [self.grid.warp(f, H) for f, H in spaced]
         self.markers: MarkerTracker | None = None
         self.texture: TextureTracker | None = None
-        others = 0
-        if setup.object in ("auto", "markers"):
-            look = learn_look(patches, self.grid, self.allowed)
-            if look is not None and self._followed(look, patches) >= LEAST_FOLLOWED:
-                self.markers, others = MarkerTracker(look), look.others
-        if self.markers is None and setup.object != "markers":
-            whole = learn_object(patches, self.grid, self.allowed)
-            if whole is not None:
-                self.texture, others = TextureTracker(whole), whole.others
-        if self.markers is None and self.texture is None:
-            raise InputError(
-                "video", "nothing like an object on the plate in its first frames",
-                "a clip that begins with the object in view",
-                "--object texture, or two markers on it (plategait target)",
-            )  # fmt: skip
-        if others:
+        if self._learn(setup.object, [self.grid.warp(f, H) for f, H in spaced]):
             raise InputError(
                 "video",
                 "more than one object on the plate",
@@ -146,16 +71,32 @@ class Eyes:
                 "filming one object at a time",
             )
 
-    def _followed(self, look: MarkerLook, patches: list[Picture]) -> float:
-        """Share of the pictures in which these markers are surely found."""
-        tracker = MarkerTracker(look)
+    def _learn(self, known_by: str, patches: list[Picture]) -> int:
+        """Learn what the object looks like; gives how many others look the same."""
+        if known_by in ("auto", "markers"):
+            markers = learn_markers(patches, self.grid, self.allowed)
+            if markers is not None and self._followed(MarkerTracker(markers), patches) >= LEAST_FOLLOWED:
+                self.markers = MarkerTracker(markers)
+                return markers.others
+        whole = None if known_by == "markers" else learn_object(patches, self.grid, self.allowed)
+        if whole is None:
+            raise InputError(
+                "video", "nothing like an object on the plate in its first frames",
+                "a clip that begins with the object in view",
+                "--object texture, or two markers on it (plategait target)",
+            )  # fmt: skip
+        self.texture = TextureTracker(whole)
+        return whole.others
+
+    def _followed(self, tracker: MarkerTracker, patches: list[Picture]) -> float:
+        """Share of the pictures in which a tracker surely finds its markers."""
         return sum(not tracker.find(p, self.grid, self.allowed).reason for p in patches) / len(patches)
 
-    def see(self, frame: Frame) -> tuple[PlateView, dict[str, Pose]]:
+    def read(self, frame: Frame) -> tuple[PlateView, dict[str, Pose]]:
         """Plate and poses, by method, in one frame."""
         view = self.plate.find(frame.luma)
         if view.homography is None:
-            lost = NOWHERE._replace(reason=view.reason)
+            lost = NO_POSE._replace(reason=view.reason)
             return view, dict.fromkeys(self.methods, lost)
         if self.markers is not None:
             grid, part = self.grid.part(*self.markers.window)
@@ -179,21 +120,21 @@ def _lens_of(views: list[PlateView], calibration: Calibration | None, picture: t
     """Lens of a calibration, else as the plate's tilt shows it; None where it does not."""
     width, height = picture
     if calibration is not None:
-        return zoomed(calibration, width)
+        return scaled_matrix(calibration, width)
     middle = np.array([[1, 0, (width - 1) / 2], [0, 1, (height - 1) / 2], [0, 0, 1.0]])
-    seen = [np.linalg.inv(middle) @ v.homography for v in views if v.homography is not None and not v.reason]
-    focal = focal_of(np.array(seen), width) if len(seen) >= LEAST_TILTS else None
+    centred = [np.linalg.inv(middle) @ v.homography for v in views if v.homography is not None and not v.reason]
+    focal = focal_of(np.array(centred), width) if len(centred) >= LEAST_TILTS else None
     return None if focal is None else middle @ np.diag([focal, focal, 1.0])
 
 
 def first_frames(source: Path | str, setup: Setup) -> list[Frame]:
-    """Frames at the start of a clip, straightened, in memory of their own."""
+    """Frames at the start of a clip, undistorted, in memory of their own."""
     frames: list[Frame] = []
     with open_video(source, fps=setup.fps, seconds=setup.seconds) as video:
-        straight = straightener(setup.calibration, video.width, video.height)
-        most = max(8, min(SURVEY, int(SURVEY_BYTES / (1.5 * video.width * video.height))))
+        undistorted = undistorter(setup.calibration, video.width, video.height)
+        most = max(8, min(LEARNING_FRAMES, int(LEARNING_BYTES / (1.5 * video.width * video.height))))
         for frame in video.frames():
-            f = straight(frame)
+            f = undistorted(frame)
             frames.append(Frame(f.index, f.time, f.luma.copy(), (f.chroma[0].copy(), f.chroma[1].copy())))
             if len(frames) == most:
                 break
@@ -201,7 +142,7 @@ def first_frames(source: Path | str, setup: Setup) -> list[Frame]:
 
 
 def _plate_of(frames: list[Frame], setup: Setup, picture: tuple[int, int]) -> tuple[PlateFinder, list[PlateView]]:
-    """First way of finding the plate that works on these frames, and what it saw."""
+    """First way of finding the plate that works on these frames, and its views."""
     makers: dict[str, Callable[[], PlateFinder]] = {
         "fiducials": lambda: FiducialPlate(plate_target(*setup.plate_size, setup.fiducial_side)),
         "scale": lambda: ScalePlate(setup.scale or 1.0, picture, setup.plate_size),

@@ -1,4 +1,4 @@
-"""What the surfaces of a synthetic film are painted with: one picture that holds the paint of all of them."""
+"""What the surfaces of a synthetic film are painted with: one picture that holds the textures of all of them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from plategait.arrays import Array, Picture
 from plategait.camera.fiducials import IDS, MODULES, PlateTarget, marker_modules
-from plategait.render.clip.look import Colour, Look
+from plategait.render.clip.appearance import Appearance, Colour
 
 _PIXELS = 900  # of a tile's longer side
 _GAP = 6  # px around a tile, so that interpolation never reaches its neighbour
@@ -21,21 +21,21 @@ METAL: Colour = (150, 156, 163)
 
 @dataclass(frozen=True)
 class Tile:
-    """A surface's part of the paint: its first pixel (column, row), its size (px), and half its extent (m)."""
+    """A surface's part of the atlas: its first pixel (column, row), its size (px), and half its extent (m)."""
 
     first: tuple[int, int]
     size: tuple[int, int]
     half: tuple[float, float]
 
-    def place(self, points: Array) -> Array:
+    def texels(self, points: Array) -> Array:
         """Columns and rows (…, 2) of points (…, 2) on the surface, m: x to the right, y up."""
         share = (np.asarray(points) * (1, -1) / self.half + 1) / 2
         return share * self.size - 0.5 + self.first
 
 
 @dataclass(frozen=True, eq=False)
-class Paint:
-    """Everything the surfaces are painted with.
+class TextureAtlas:
+    """The textures of all surfaces.
 
     Parameters
     ----------
@@ -43,29 +43,29 @@ class Paint:
         Blue, green, red.
     plate, upper, under : Tile
         Of the plate's upper side, and the object's two sides.
-    behind : (2,) array
+    background : (2,) array
         First column and row of the background, which is as large as the picture.
-    side, metal, flap : (2,) arrays
-        Plain colours: of the object's rim, of bar and slab, and of what covers markers.
+    side, metal, occluder : (2,) arrays
+        Plain colours: of the object's rim, of bar and slab, and of occluders, which cover markers.
     """
 
     pixels: Picture
     plate: Tile
     upper: Tile
     under: Tile
-    behind: Array
+    background: Array
     side: Array
     metal: Array
-    flap: Array
+    occluder: Array
 
 
-def paint(
-    look: Look,
+def paint_atlas(
+    appearance: Appearance,
     target: PlateTarget,
     extent: tuple[float, float],
     markers: list[tuple[float, float, float, float]],
     picture: tuple[int, int],
-) -> Paint:
+) -> TextureAtlas:
     """Paint a plate and an object.
 
     Parameters
@@ -81,24 +81,26 @@ def paint(
     """
     half_plate = (target.size[0] / 2, target.size[1] / 2)
     half_sheet = (0.55 * extent[0], 0.55 * extent[1])
-    upper = _food(_shape(half_sheet), half_sheet, look.object_colour, look.texture, look.seed)
-    under = _food(_shape(half_sheet), half_sheet, look.object_colour, look.texture, look.seed + 1)
-    if look.markers:
+    upper = _food(_shape(half_sheet), half_sheet, appearance.object_colour, appearance.texture, appearance.seed)
+    under = _food(_shape(half_sheet), half_sheet, appearance.object_colour, appearance.texture, appearance.seed + 1)
+    if appearance.markers:
         for x, y, length, width in markers:
             corners = [(x - length / 2, y - width / 2), (x + length / 2, y + width / 2)]
-            _fill(upper, half_sheet, corners, look.marker_colour)
-    plate = _plate(_shape(half_plate), look)
-    if look.fiducials:
+            _fill(upper, half_sheet, corners, appearance.marker_colour)
+    plate = _plate(_shape(half_plate), appearance)
+    if appearance.fiducials:
         _print(plate, half_plate, target)
-    flap = tuple(round(0.86 * c) for c in look.object_colour)
-    plain = [np.full((_PLAIN, _PLAIN, 3), colour[::-1], np.uint8) for colour in (look.object_colour, METAL, flap)]
-    pixels, firsts = _side_by_side([plate, upper, under, _bench(picture, look.seed), *plain])
+    occluder = tuple(round(0.86 * c) for c in appearance.object_colour)
+    plain = [
+        np.full((_PLAIN, _PLAIN, 3), colour[::-1], np.uint8) for colour in (appearance.object_colour, METAL, occluder)
+    ]
+    pixels, firsts = _side_by_side([plate, upper, under, _bench(picture, appearance.seed), *plain])
     tiles = [
         Tile(first, (image.shape[1], image.shape[0]), half)
         for first, image, half in zip(firsts, (plate, upper, under), (half_plate, half_sheet, half_sheet), strict=False)
     ]
     middles = [np.array(first) + (_PLAIN - 1) / 2 for first in firsts[4:]]
-    return Paint(pixels, tiles[0], tiles[1], tiles[2], np.array(firsts[3]), middles[0], middles[1], middles[2])
+    return TextureAtlas(pixels, tiles[0], tiles[1], tiles[2], np.array(firsts[3]), middles[0], middles[1], middles[2])
 
 
 def clouds(shape: tuple[int, int], grain: float, generator: np.random.Generator) -> NDArray[np.float32]:
@@ -142,13 +144,13 @@ def _bench(shape: tuple[int, int], seed: int) -> Picture:
     return np.clip(np.stack([grey - 6 * tint, grey, grey + 6 * tint + 8], axis=-1), 0, 255).astype(np.uint8)
 
 
-def _plate(shape: tuple[int, int], look: Look) -> Picture:
+def _plate(shape: tuple[int, int], appearance: Appearance) -> Picture:
     """Brushed along x, with a few stains."""
-    generator = np.random.default_rng(look.seed + 2)
+    generator = np.random.default_rng(appearance.seed + 2)
     brushing = cv2.GaussianBlur(generator.normal(size=shape).astype(np.float32), (0, 0), sigmaX=25, sigmaY=0.8)
     brushing /= max(float(brushing.std()), 1e-6)
-    light = 1 + look.plate_texture * (0.08 * brushing + 0.10 * clouds(shape, 90, generator))
-    return np.clip(np.array(look.plate_colour[::-1], np.float32) * light[..., None], 0, 255).astype(np.uint8)
+    light = 1 + appearance.plate_texture * (0.08 * brushing + 0.10 * clouds(shape, 90, generator))
+    return np.clip(np.array(appearance.plate_colour[::-1], np.float32) * light[..., None], 0, 255).astype(np.uint8)
 
 
 def _fill(
@@ -156,8 +158,8 @@ def _fill(
 ) -> None:
     """Fill the rectangle between two corners (m), its edges mixed as far as they cover a pixel."""
     tile = Tile((0, 0), (image.shape[1], image.shape[0]), half)
-    places = tile.place(np.asarray(corners))
-    low, high = places.min(axis=0), places.max(axis=0)
+    corner_texels = tile.texels(np.asarray(corners))
+    low, high = corner_texels.min(axis=0), corner_texels.max(axis=0)
     columns, rows = (
         np.arange(max(0, round(low[k])), min(n, round(high[k]) + 1), dtype=float) for k, n in enumerate(tile.size)
     )

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from plategait.arrays import Array
 from plategait.camera.camera import Camera
 from plategait.model.scenario import Scenario
-from plategait.render.clip.look import Look
-from plategait.render.clip.raster import Darkroom, Sensor, View
-from plategait.render.clip.scene import Flap, Scene, scatter_flaps
-from plategait.render.shots import Shots
+from plategait.render.clip.appearance import Appearance
+from plategait.render.clip.raster import Fragments, Rasteriser, Sensor
+from plategait.render.clip.scene import Occluder, Scene, random_occluders
+from plategait.render.snapshots import Snapshots
 
 # Shifts within a pixel of the pictures that one exposure is made of (px), and how far things may move between two.
 _SHIFTS = np.array([(-0.125, -0.375), (0.375, -0.125), (-0.375, 0.125), (0.125, 0.375)])
@@ -23,49 +23,61 @@ _MOST_SAMPLES = 24
 _COVERED = 4.0
 
 
-class Studio:
+class SyntheticCamera:
     """Takes the pictures of one run.
 
     Parameters
     ----------
     scenario : Scenario
-    shots : Shots
+    snapshots : Snapshots
         Of the run.
     camera : Camera
-    look : Look
+    appearance : Appearance
     exposure : float
         For which the shutter is open, s.
     """
 
-    def __init__(self, scenario: Scenario, shots: Shots, camera: Camera, look: Look, exposure: float) -> None:
-        self.scene = Scene(scenario, look, camera)
-        self.shots, self.camera, self.look, self.exposure = shots, camera, look, exposure
-        self.darkroom = Darkroom(camera, self.scene.paint)
-        self.sensor = Sensor((camera.height, camera.width), look.gradient, look.defocus, look.noise, look.seed + 5)
+    def __init__(
+        self, scenario: Scenario, snapshots: Snapshots, camera: Camera, appearance: Appearance, exposure: float
+    ) -> None:
+        self.scenario, self.scene = scenario, Scene(scenario, appearance, camera)
+        self.snapshots, self.camera, self.appearance, self.exposure = snapshots, camera, appearance, exposure
+        self.rasteriser = Rasteriser(camera, self.scene.atlas)
+        self.sensor = Sensor(
+            (camera.height, camera.width),
+            appearance.gradient,
+            appearance.defocus,
+            appearance.noise,
+            appearance.seed + 5,
+        )
 
-    def picture(self, time: float, flaps: list[Flap]) -> tuple[NDArray[np.uint8], Array]:
+    def picture(self, time: float, occluders: list[Occluder]) -> tuple[NDArray[np.uint8], Array]:
         """Picture (height, width, 3) of a time of the run, and how much it shows of each marker (2,)."""
-        nodes, pose = self.shots.at(time)
+        nodes, pose = self.snapshots.at(time)
         shadow = self.scene.shadow(nodes, pose)
-        samples = self._samples(time)
-        views = []
-        for k, share in enumerate((np.arange(samples) + 0.5) / samples - 0.5):
-            at, plate = self.shots.at(time + self.exposure * share)
-            surfaces = self.scene.surfaces(at, plate, shadow, flaps)
-            views.append(self.darkroom.view(surfaces, tuple(_SHIFTS[k % len(_SHIFTS)])))
+        n = self._n_samples(time)
+        samples = []
+        for k, share in enumerate((np.arange(n) + 0.5) / n - 0.5):
+            at, plate = self.snapshots.at(time + self.exposure * share)
+            mesh = self.scene.lit_mesh(at, plate, shadow, occluders)
+            samples.append(self.rasteriser.rasterise(mesh, tuple(_SHIFTS[k % len(_SHIFTS)])))
         # The moment nearest to the middle is at most half a step away.
-        at, plate = self.shots.at(time + self.exposure * ((samples // 2 + 0.5) / samples - 0.5))
-        return self.sensor.read(self.darkroom.expose(views)), self._share(views[samples // 2], at, plate)
+        at, plate = self.snapshots.at(time + self.exposure * ((n // 2 + 0.5) / n - 0.5))
+        return self.sensor.read(self.rasteriser.expose(samples)), self.visible_share(samples[n // 2], at, plate)
 
-    def _samples(self, time: float) -> int:
+    def _n_samples(self, time: float) -> int:
         """Moments that an exposure needs so that nothing jumps between two of them."""
         if self.exposure == 0:
-            return self.look.samples
-        nodes, poses = self.shots.at(time + self.exposure * np.array([-0.5, 0.0, 0.5]))
+            return self.appearance.samples
+        nodes, poses = self.snapshots.at(time + self.exposure * np.array([-0.5, 0.0, 0.5]))
         moving = np.concatenate([nodes, self.scene.corners(poses)], axis=1)
         steps = np.linalg.norm(np.diff(self.camera.project(moving), axis=0), axis=-1)
         moved = float(np.nanmax(steps.sum(axis=0)))
-        return int(np.clip(math.ceil(moved / _LARGEST_STEP), self.look.samples, max(_MOST_SAMPLES, self.look.samples)))
+        return int(
+            np.clip(
+                math.ceil(moved / _LARGEST_STEP), self.appearance.samples, max(_MOST_SAMPLES, self.appearance.samples)
+            )
+        )
 
     def markers(self, nodes: Array, pose: Array) -> tuple[Array, float]:
         """Middles (2, 3) of the markers in the world, m, and the direction from the first to the second, rad."""
@@ -74,9 +86,9 @@ class Studio:
         x, y = (middles[1] - middles[0]) @ rotation[:, :2]
         return middles, math.atan2(y, x)
 
-    def _share(self, view: View, nodes: Array, pose: Array) -> Array:
+    def visible_share(self, fragments: Fragments, nodes: Array, pose: Array) -> Array:
         """Pixels of each marker over what it would cover lying flat in the same place."""
-        if not self.look.markers:
+        if not self.appearance.markers:
             return np.zeros(2)
         middles, direction = self.markers(nodes, pose)
         rotation, _ = self.scene.plate_frame(pose)
@@ -84,26 +96,26 @@ class Studio:
         steps = 1e-4 * np.array([along, np.cross(rotation[:, 2], along)])
         shares = []
         for middle, place, size in zip(middles, self.scene.marker_places, self.scene.marker_sizes, strict=True):
-            here, *sides = self.camera.project(np.concatenate([middle[None], middle + steps]))
-            (ax, ay), (bx, by) = (np.array(sides) - here) / 1e-4  # px for a metre along and across
+            pixel, *sides = self.camera.project(np.concatenate([middle[None], middle + steps]))
+            (ax, ay), (bx, by) = (np.array(sides) - pixel) / 1e-4  # px for a metre along and across
             flat = abs(ax * by - ay * bx) * size[0] * size[1]
             corners = np.add(place, np.multiply(size, [(-0.5, -0.5), (0.5, 0.5)]))
-            (left, bottom), (right, top) = self.scene.paint.upper.place(corners)
+            (left, bottom), (right, top) = self.scene.atlas.upper.texels(corners)
             reach = int(2 * size[0] * max(math.hypot(ax, ay), math.hypot(bx, by))) + 4
-            column, row = (int(v) for v in here - (view.left, view.top))
+            column, row = (int(v) for v in pixel - (fragments.left, fragments.top))
             rows, columns = (slice(max(0, v - reach), max(0, v + reach)) for v in (row, column))
-            u, v = view.places[rows, columns, 0], view.places[rows, columns, 1]
+            u, v = fragments.values[rows, columns, 0], fragments.values[rows, columns, 1]
             shares.append(((u > left) & (u < right) & (v > top) & (v < bottom)).sum() / max(flat, 1e-9))
         return np.array(shares)
 
 
-def covered_frames(n: int, share: float, seed: int) -> list[list[Flap]]:
+def occlusions(n: int, share: float, seed: int) -> list[list[Occluder]]:
     """For each of n frames what covers the markers: nothing, or the same thing for a few frames on end."""
     generator = np.random.default_rng(seed + 11)
-    covered: list[list[Flap]] = []
+    frames: list[list[Occluder]] = []
     open_for = _COVERED * (1 - share) / share if share > 0 else math.inf
-    while len(covered) < n:
-        covered += [[]] * (n if share == 0 else int(generator.geometric(1 / max(open_for, 1.0))))
+    while len(frames) < n:
+        frames += [[]] * (n if share == 0 else int(generator.geometric(1 / max(open_for, 1.0))))
         if share > 0:
-            covered += [scatter_flaps(generator)] * int(generator.geometric(1 / max(_COVERED, share / (1 - share))))
-    return covered[:n]
+            frames += [random_occluders(generator)] * int(generator.geometric(1 / max(_COVERED, share / (1 - share))))
+    return frames[:n]

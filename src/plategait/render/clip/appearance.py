@@ -20,7 +20,7 @@ _RANGES: dict[str, tuple[float, float]] = {
 
 
 @dataclass(frozen=True)
-class Look:
+class Appearance:
     """What a film looks like; the defaults are a plain indoor scene.
 
     Parameters
@@ -100,6 +100,8 @@ class Look:
             if field.name in _RANGES:
                 low, high = _RANGES[field.name]
                 if not (math.isfinite(value) and low <= value <= high):
-                    raise InputError(f"look.{field.name}", value, f"from {low:g} to {high:g}", f"{field.default}")
+                    raise InputError(f"appearance.{field.name}", value, f"from {low:g} to {high:g}", f"{field.default}")
             elif field.name.endswith("colour") and not (len(value) == 3 and all(0 <= c <= 255 for c in value)):
-                raise InputError(f"look.{field.name}", value, "red, green, blue from 0 to 255", f"{field.default}")
+                raise InputError(
+                    f"appearance.{field.name}", value, "red, green, blue from 0 to 255", f"{field.default}"
+                )
