@@ -104,7 +104,7 @@ def fig_4_7(spec: Spec, results: Results) -> Item:
         ],
         checks=optimum_checks(results),
         notes=[
-            "As in the source, 24 deg and, for the stiff panels, 12 deg are left out of the finding. Its "
+            "As in the source, 24 deg and, for the stiff objects, 12 deg are left out of the finding. Its "
             "amplitudes beyond 12 and 24 deg are not printed; 1, 3 and 6 are those of Fig. 5.2(a). At 1 deg, left "
             "out too, soft sheets dip at 8 and rise again beyond 9 ×10⁴ deg/s²."
         ],
