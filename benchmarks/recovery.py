@@ -22,7 +22,7 @@ from plategait.curve.curve import Curve
 from plategait.curve.protocol import measured_as
 from plategait.curve.spin_curve import fit_curve
 from plategait.errors import InputError
-from plategait.estimate.linear import estimate_linear
+from plategait.estimate.linear import Coefficients, Method, estimate_linear
 from plategait.estimate.result import estimate_parameters
 from plategait.estimate.unknowns import unknowns
 from plategait.model.presets import nominal_natural_frequency, preset
@@ -86,33 +86,48 @@ def recover(number: int, protocol: str) -> list[dict[str, Any]]:
     """Estimates of one object by every method."""
     truth, scenario = true_object(number)
     curve = curve_of(PROTOCOLS[protocol](measurement(scenario, np.random.default_rng([number, len(protocol)]))))
-    rows = []
-    for known in (True, False):
-        begun = time.perf_counter()
-        found = estimate_parameters(curve, BASE, noise=NOISE, friction_ratio=truth[2] if known else None, seed=number)
-        values = found.posterior.values / [p.scale for p in found.posterior.unknowns.parameters]
-        low, middle, high = np.quantile(values, [0.05, 0.5, 0.95], axis=0)
-        rows.append({
-            "object": number, "protocol": protocol, "method": "posterior, β known" if known else "posterior, β unknown",
-            "truth": truth.tolist(), "estimate": middle.tolist(), "sd": values.std(axis=0).tolist(),
-            "covered": ((low <= truth[: len(low)]) & (truth[: len(low)] <= high)).tolist(),
-            "verdicts": [f.verdict for f in found.findings], "explained": found.check.explained,
-            "seconds": time.perf_counter() - begun,
-        })  # fmt: skip
+    rows = [
+        by_posterior(curve, truth, number, "posterior, β known", friction_ratio=truth[2]),
+        by_posterior(curve, truth, number, "posterior, β unknown"),
+        by_line(curve, "linear", "published"),
+        by_line(curve, "linear", "refitted"),
+        by_line(curve, "quadratic", "refitted"),
+    ]
+    return [{"object": number, "protocol": protocol, "truth": truth.tolist(), **row} for row in rows]
+
+
+def by_posterior(
+    curve: Curve, truth: np.ndarray, seed: int, method: str, friction_ratio: float | None = None
+) -> dict[str, Any]:
+    """Estimate with the engine in the loop: median, spread, whether 90 % intervals hold the truth, and time."""
+    begun = time.perf_counter()
+    estimate = estimate_parameters(curve, BASE, noise=NOISE, friction_ratio=friction_ratio, seed=seed)
+    values = estimate.posterior.values / [p.scale for p in estimate.posterior.unknowns.parameters]
+    low, middle, high = np.quantile(values, [0.05, 0.5, 0.95], axis=0)
+    return {
+        "method": method,
+        "estimate": middle.tolist(),
+        "sd": values.std(axis=0).tolist(),
+        "covered": ((low <= truth[: len(low)]) & (truth[: len(low)] <= high)).tolist(),
+        "verdicts": [m.verdict for m in estimate.marginals],
+        "explained": estimate.goodness.explained,
+        "seconds": time.perf_counter() - begun,
+    }
+
+
+def by_line(curve: Curve, method: Method, coefficients: Coefficients) -> dict[str, Any]:
+    """Estimate by the source's method; none without a fit, or where the method does not apply."""
+    row: dict[str, Any] = {"method": f"{method}, {coefficients}", "estimate": None}
     fit = fit_curve(curve).fit
-    for method, coefficients in (("linear", "published"), ("linear", "refitted"), ("quadratic", "refitted")):
-        row: dict[str, Any] = {"object": number, "protocol": protocol, "method": f"{method}, {coefficients}",
-                               "truth": truth.tolist(), "estimate": None}  # fmt: skip
-        if fit is not None:
-            try:
-                guess = estimate_linear(fit, BASE, method=method, coefficients=coefficients)
-                own = BASE.sheet.natural_frequency / nominal_natural_frequency(BASE.sheet)
-                row |= {"estimate": [own * guess.natural_frequency / math.pi, math.degrees(guess.friction_angle)],
-                        "refused": bool(guess.refused)}  # fmt: skip
-            except InputError:
-                pass
-        rows.append(row)
-    return rows
+    if fit is None:
+        return row
+    try:
+        guess = estimate_linear(fit, BASE, method=method, coefficients=coefficients)
+    except InputError:
+        return row
+    dish = BASE.sheet.natural_frequency / nominal_natural_frequency(BASE.sheet)
+    omega, alpha = dish * guess.natural_frequency / math.pi, math.degrees(guess.friction_angle)
+    return row | {"estimate": [omega, alpha], "refused": bool(guess.refused)}
 
 
 def table(rows: list[dict[str, Any]]) -> str:
@@ -121,18 +136,18 @@ def table(rows: list[dict[str, Any]]) -> str:
              "| α | median time (s) |", "|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for protocol in PROTOCOLS:
         for method in dict.fromkeys(row["method"] for row in rows):
-            mine = [r for r in rows if (r["protocol"], r["method"]) == (protocol, method)]
-            kept = [r for r in mine if r["estimate"] is not None and not r.get("refused")]
-            if not kept:
+            of_method = [r for r in rows if (r["protocol"], r["method"]) == (protocol, method)]
+            answers = [r for r in of_method if r["estimate"] is not None and not r.get("refused")]
+            if not answers:
                 continue
-            error = np.abs([np.subtract(r["estimate"], r["truth"][: len(r["estimate"])])[:2] for r in kept])
+            error = np.abs([np.subtract(r["estimate"], r["truth"][: len(r["estimate"])])[:2] for r in answers])
             omega, alpha = np.median(error, axis=0)
             cover = [
-                f"{100 * np.mean([r['covered'][i] for r in kept]):.0f} %" if "covered" in kept[0] else "–"
+                f"{100 * np.mean([r['covered'][i] for r in answers]):.0f} %" if "covered" in answers[0] else "–"
                 for i in (0, 1)
             ]
-            seconds = f"{np.median([r['seconds'] for r in kept]):.1f}" if "seconds" in kept[0] else "–"
-            lines.append(f"| {protocol} | {method} | {len(kept)} of {len(mine)} | {omega:.2f} | {alpha:.2f} "
+            seconds = f"{np.median([r['seconds'] for r in answers]):.1f}" if "seconds" in answers[0] else "–"
+            lines.append(f"| {protocol} | {method} | {len(answers)} of {len(of_method)} | {omega:.2f} | {alpha:.2f} "
                          f"| {cover[0]} | {cover[1]} | {seconds} |")  # fmt: skip
     return "\n".join(lines)
 
@@ -143,13 +158,13 @@ def main() -> None:
     parser.add_argument("--first", type=int, default=0, help="number of the first object")
     parser.add_argument("--protocol", choices=PROTOCOLS, help="only this one")
     parser.add_argument("--json", type=Path, help="write every estimate here")
-    given = parser.parse_args()
+    arguments = parser.parse_args()
     rows: list[dict[str, Any]] = []
-    for number in range(given.first, given.first + given.objects):
-        for protocol in [given.protocol] if given.protocol else PROTOCOLS:
+    for number in range(arguments.first, arguments.first + arguments.objects):
+        for protocol in [arguments.protocol] if arguments.protocol else PROTOCOLS:
             rows += recover(number, protocol)
-        if given.json:
-            given.json.write_text(json.dumps(rows))
+        if arguments.json:
+            arguments.json.write_text(json.dumps(rows))
     print(table(rows))
 
 

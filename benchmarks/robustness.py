@@ -9,12 +9,11 @@ from __future__ import annotations
 import argparse
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from benchmarks.recovery import BASE, NOISE, Outcome, curve_of, measurement, spread
-from plategait.estimate.result import estimate_parameters
+from plategait.estimate.result import Estimate, estimate_parameters
 from plategait.estimate.unknowns import unknowns
 from plategait.model.outline import Disk
 from plategait.model.scenario import Scenario
@@ -70,13 +69,13 @@ CHANGES: dict[str, Callable[[Scenario], Scenario]] = {
 }  # fmt: skip
 
 
-def row(name: str, found: list[tuple[Any, tuple[float, float, float]]]) -> str:
+def row(name: str, estimates: list[tuple[Estimate, tuple[float, float, float]]]) -> str:
     """One line of the table."""
-    omega = [f["natural_frequency"].median / math.pi - truth[0] for f, truth in found]
-    alpha = [math.degrees(f["friction_angle"].median) - truth[1] for f, truth in found]
-    noticed = sum(not f.check.explained for f, _ in found)
+    omega = [e["natural_frequency"].median / math.pi - truth[0] for e, truth in estimates]
+    alpha = [math.degrees(e["friction_angle"].median) - truth[1] for e, truth in estimates]
+    noticed = sum(not e.goodness.explained for e, _ in estimates)
     return (f"| {name} | {np.median(np.abs(omega)):.1f} | {np.median(omega):+.1f} | {np.median(np.abs(alpha)):.1f} "
-            f"| {np.median(alpha):+.1f} | {noticed} of {len(found)} |")  # fmt: skip
+            f"| {np.median(alpha):+.1f} | {noticed} of {len(estimates)} |")  # fmt: skip
 
 
 def main() -> None:
@@ -84,21 +83,21 @@ def main() -> None:
     parser.add_argument("--objects", type=int, default=len(OBJECTS))
     parser.add_argument("--noise", type=float, default=NOISE)
     parser.add_argument("--tiles", type=int, default=3, help="objects for the slow tile model")
-    given = parser.parse_args()
+    arguments = parser.parse_args()
     print(
         "| data from | median error of ω_n (π rad/s) | bias | of α (deg) | bias | noticed |\n|---|---|---|---|---|---|"
     )
     for name in [*CHANGES, "rigid tiles"]:
-        found = []
-        for i, truth in enumerate(OBJECTS[: given.tiles if name == "rigid tiles" else given.objects]):
+        estimates = []
+        for i, truth in enumerate(OBJECTS[: arguments.tiles if name == "rigid tiles" else arguments.objects]):
             scenario = unknowns(BASE).scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
             generator = np.random.default_rng(i)
             if name == "rigid tiles":
-                points = measured_on_tiles(scenario, generator, given.noise)
+                points = measured_on_tiles(scenario, generator, arguments.noise)
             else:
-                points = spread(measurement(CHANGES[name](scenario), generator, given.noise))
-            found.append((estimate_parameters(curve_of(points), BASE, noise=given.noise, seed=i), truth))
-        print(row(name, found), flush=True)
+                points = spread(measurement(CHANGES[name](scenario), generator, arguments.noise))
+            estimates.append((estimate_parameters(curve_of(points), BASE, noise=arguments.noise, seed=i), truth))
+        print(row(name, estimates), flush=True)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import pytest
 from plategait.curve.curve import Curve
 from plategait.curve.protocol import measured_as
 from plategait.curve.spin_curve import spin_curve
-from plategait.estimate.judgement import check_fit
+from plategait.estimate.goodness import goodness_of_fit
 from plategait.estimate.planning import next_measurement
 from plategait.estimate.prediction import predict
 from plategait.estimate.result import estimate_parameters
@@ -24,8 +24,8 @@ FREQUENCIES = (13.5, 14.5, 15.5, 17.0, 19.0, 21.0, 23.0, 24.5, 25.5, 26.5)
 
 def measured(truth, noise: float, seed: int, frequencies=FREQUENCIES) -> Curve:
     """Curve of an object (ω_n in π rad/s, α in deg, β), with relative noise told in the file."""
-    made = unknowns(BASE).scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
-    curve = spin_curve(made, frequencies)
+    scenario = unknowns(BASE).scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
+    curve = spin_curve(scenario, frequencies)
     generator = np.random.default_rng(seed)
     rate = curve.spin_rate_deg_s * (1 + noise * generator.normal(size=len(frequencies)))
     return Curve("measured", curve.frequency_hz, rate, noise * np.abs(rate), ("",) * len(rate), curve.failure)
@@ -37,30 +37,30 @@ def truth():
 
 
 @pytest.fixture(scope="module")
-def found(truth):
+def estimate(truth):
     return estimate_parameters(measured(truth, 0.01, 1), BASE, seed=1)
 
 
-def test_a_precise_curve_gives_the_object_back(found, truth):
+def test_a_precise_curve_gives_the_object_back(estimate, truth):
     # One percent of noise. The intervals are the estimator's own claim: the truth lies within three of its standard
     # deviations, and those are small enough to be of use.
     for name, value, largest in (("natural_frequency", truth[0], 1.0), ("friction_angle", truth[1], 1.5),
                                  ("friction_ratio", truth[2], 0.06)):  # fmt: skip
-        finding = found[name]
-        assert finding.verdict == "determined"
-        scale = finding.parameter.scale
-        assert abs(finding.median / scale - value) < 3 * finding.sd / scale
-        assert finding.sd / scale < largest
-    assert found.check.explained
-    assert found.answered
+        marginal = estimate[name]
+        assert marginal.verdict == "determined"
+        scale = marginal.parameter.scale
+        assert abs(marginal.median / scale - value) < 3 * marginal.sd / scale
+        assert marginal.sd / scale < largest
+    assert estimate.goodness.explained
+    assert estimate.answered
 
 
-def test_its_fragment_simulates_what_was_measured(found, truth):
-    made = unknowns(BASE).scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
-    fragment = found.to_fragment()
+def test_its_fragment_simulates_what_was_measured(estimate, truth):
+    scenario = unknowns(BASE).scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
+    fragment = estimate.to_fragment()
     for frequency in (15.0, 22.0):
         change = {"motion.frequency": frequency}
-        true = simulate(made.replace(**change)).spin_rate
+        true = simulate(scenario.replace(**change)).spin_rate
         # Rates known to 1 % each give the curve back to 2 %.
         assert simulate(fragment.apply(BASE).replace(**change)).spin_rate == pytest.approx(true, rel=0.02)
 
@@ -71,17 +71,17 @@ def test_the_same_seed_gives_the_same_samples(truth):
     np.testing.assert_array_equal(one, other)
 
 
-def test_predictions_run_through_the_data(found):
-    (prediction,) = predict(found.posterior)
-    data = found.posterior.data
+def test_predictions_run_through_the_data(estimate):
+    (prediction,) = predict(estimate.posterior)
+    data = estimate.posterior.data
     inside, stays = data.rated & (data.frequency < 24), prediction.frequency < 25
     at = np.interp(data.frequency[inside], prediction.frequency[stays], np.median(prediction.rates[:, stays], axis=0))
     # The grid's spacing costs about a percent where the curve bends most; the noise is 1 %.
     np.testing.assert_allclose(at, data.rate[inside], rtol=0.05)
 
 
-def test_the_next_measurement_tells_more(found):
-    plan = next_measurement(found.posterior, angles=[BASE.motion.angle], wanted={"natural_frequency": 0.1 * math.pi})
+def test_the_next_measurement_tells_more(estimate):
+    plan = next_measurement(estimate.posterior, angles=[BASE.motion.angle], wanted={"natural_frequency": 0.1 * math.pi})
     assert 10 < plan.condition.frequency < 32
     assert plan.sd_after["natural_frequency"] < plan.sd_now["natural_frequency"]
     assert plan.needed is not None
@@ -90,27 +90,27 @@ def test_the_next_measurement_tells_more(found):
 
 def test_slow_sliding_alone_determines_no_stiffness():
     """Below 15 Hz a sheet slides flat on the plate whatever its stiffness: the gate holds the number back."""
-    found = estimate_parameters(measured((9.0, 40.0, 0.6), 0.05, 3, (12.0, 13.0, 14.0)), BASE, friction_ratio=0.6)
-    assert found["natural_frequency"].verdict != "determined"
-    assert found.summary()["parameters"]["natural_frequency"]["median"] is None
+    estimate = estimate_parameters(measured((9.0, 40.0, 0.6), 0.05, 3, (12.0, 13.0, 14.0)), BASE, friction_ratio=0.6)
+    assert estimate["natural_frequency"].verdict != "determined"
+    assert estimate.summary()["parameters"]["natural_frequency"]["median"] is None
 
 
 def test_an_outlier_is_named_and_does_no_harm(truth):
     curve = measured(truth, 0.02, 4)
     spoiled = curve.spin_rate_deg_s.copy()
     spoiled[4] *= 1.6
-    found = estimate_parameters(
+    estimate = estimate_parameters(
         Curve("s", curve.frequency_hz, spoiled, curve.spin_rate_sd_deg_s, curve.gait, curve.failure), BASE
     )
-    assert found.check.outliers == (FREQUENCIES[4],)
-    finding = found["friction_angle"]
-    assert abs(math.degrees(finding.median) - truth[1]) < 3 * math.degrees(finding.sd) + 0.5
+    assert estimate.goodness.outliers == (FREQUENCIES[4],)
+    marginal = estimate["friction_angle"]
+    assert abs(math.degrees(marginal.median) - truth[1]) < 3 * math.degrees(marginal.sd) + 0.5
 
 
 def test_a_curve_that_no_object_makes_is_called_so():
     """Rates that fall where every sheet's rise."""
     f = np.array(FREQUENCIES[:8])
     rate = np.linspace(500, 60, 8)
-    found = estimate_parameters(Curve("s", f, rate, 0.05 * rate, ("",) * 8, ("",) * 8), BASE)
-    assert not check_fit(found.posterior).explained
-    assert not found.answered
+    estimate = estimate_parameters(Curve("s", f, rate, 0.05 * rate, ("",) * 8, ("",) * 8), BASE)
+    assert not goodness_of_fit(estimate.posterior).explained
+    assert not estimate.answered

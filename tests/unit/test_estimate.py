@@ -16,7 +16,7 @@ from plategait.curve.protocol import measured_as
 from plategait.errors import InputError
 from plategait.estimate import unknowns as parameters
 from plategait.estimate.emulator import brackets, fit_rates, fit_run_off, log_between
-from plategait.estimate.judgement import judge
+from plategait.estimate.identifiability import marginal_of
 from plategait.estimate.linear import estimate_linear, line
 from plategait.estimate.observations import Condition, observe_curves
 from plategait.estimate.unknowns import FRICTION_ANGLE, NATURAL_FREQUENCY, unknowns
@@ -45,20 +45,20 @@ def test_share_is_the_inverse_of_value(u, parameter):
 
 
 def test_the_scenario_has_the_values_asked_for():
-    chosen = unknowns(CHEESE, free=("mass", "bending_damping", "contact_damping"))
-    made = chosen.scenario([20 * math.pi, math.radians(40), 0.7, 1.1, 2.0, 0.5])
-    assert made.sheet.natural_frequency == pytest.approx(20 * math.pi, rel=1e-9)
-    assert made.sheet.mass == pytest.approx(1.1 * CHEESE.sheet.mass)
-    assert made.friction.angle == pytest.approx(math.radians(40))
-    assert made.friction.ratio == pytest.approx(0.7)
-    assert made.sheet.bending_damping == pytest.approx(2 * CHEESE.sheet.bending_damping)
-    assert made.contact.damping == pytest.approx(0.5 * CHEESE.contact.damping)
+    sought = unknowns(CHEESE, free=("mass", "bending_damping", "contact_damping"))
+    scenario = sought.scenario([20 * math.pi, math.radians(40), 0.7, 1.1, 2.0, 0.5])
+    assert scenario.sheet.natural_frequency == pytest.approx(20 * math.pi, rel=1e-9)
+    assert scenario.sheet.mass == pytest.approx(1.1 * CHEESE.sheet.mass)
+    assert scenario.friction.angle == pytest.approx(math.radians(40))
+    assert scenario.friction.ratio == pytest.approx(0.7)
+    assert scenario.sheet.bending_damping == pytest.approx(2 * CHEESE.sheet.bending_damping)
+    assert scenario.contact.damping == pytest.approx(0.5 * CHEESE.contact.damping)
 
 
 def test_a_known_ratio_is_no_unknown_and_holds():
-    chosen = unknowns(CHEESE, friction_ratio=0.8)
-    assert chosen.names == ["natural_frequency", "friction_angle"]
-    assert chosen.scenario([30.0, 0.6]).friction.ratio == pytest.approx(0.8)
+    sought = unknowns(CHEESE, friction_ratio=0.8)
+    assert sought.names == ["natural_frequency", "friction_angle"]
+    assert sought.scenario([30.0, 0.6]).friction.ratio == pytest.approx(0.8)
 
 
 @pytest.mark.parametrize("bad", [{"free": ("colour",)}, {"friction_ratio": 0.0}, {"friction_ratio": 1.2}])
@@ -168,10 +168,10 @@ def test_runs_that_never_fail_teach_no_run_off():
 
 @given(st.floats(20, 30), st.floats(0.03, 2), st.floats(15, 30), st.floats(0.01, 5))
 def test_probability_of_a_bracket(centre, width, low, span):
-    found = math.exp(log_between(np.array([centre]), width, np.array([low]), np.array([low + span]))[0])
+    probability = math.exp(log_between(np.array([centre]), width, np.array([low]), np.array([low + span]))[0])
     # A difference of two probabilities keeps 1e-12 of them in scipy too.
     expected = norm.cdf(low + span, centre, width) - norm.cdf(low, centre, width)
-    assert found == pytest.approx(expected, rel=1e-6, abs=1e-12)
+    assert probability == pytest.approx(expected, rel=1e-6, abs=1e-12)
 
 
 def test_probabilities_of_all_brackets_add_up_to_one():
@@ -180,18 +180,18 @@ def test_probabilities_of_all_brackets_add_up_to_one():
     assert p.sum() == pytest.approx(1, abs=1e-9)
 
 
-# Judgement
+# Identifiability
 
 
 def test_the_gate():
     generator = np.random.default_rng(0)
-    assert judge(NATURAL_FREQUENCY, generator.random(4000)).verdict == "not determined"
-    narrow = judge(FRICTION_ANGLE, generator.normal(0.5, 0.02, 4000))
+    assert marginal_of(NATURAL_FREQUENCY, generator.random(4000)).verdict == "not determined"
+    narrow = marginal_of(FRICTION_ANGLE, generator.normal(0.5, 0.02, 4000))
     assert narrow.verdict == "determined"
     assert narrow.low < math.radians(40) < narrow.high
-    assert judge(NATURAL_FREQUENCY, generator.random(4000) * 0.2).verdict == "at most"
-    assert judge(NATURAL_FREQUENCY, 1 - generator.random(4000) * 0.2).verdict == "at least"
-    assert "at most" in judge(NATURAL_FREQUENCY, generator.random(4000) * 0.2).text
+    assert marginal_of(NATURAL_FREQUENCY, generator.random(4000) * 0.2).verdict == "at most"
+    assert marginal_of(NATURAL_FREQUENCY, 1 - generator.random(4000) * 0.2).verdict == "at least"
+    assert "at most" in marginal_of(NATURAL_FREQUENCY, generator.random(4000) * 0.2).text
 
 
 # Linear
@@ -205,10 +205,10 @@ def fit_of(f0: float, ratio: float) -> LorentzFit:
 
 def test_published_tables_are_reproduced():
     """Table 5.2: f0 and b/f0 of the 10π, 36.87 deg object give 11.20π and 35.52 deg back."""
-    found = estimate_linear(fit_of(25.06, 0.2022), CHEESE)
-    assert found.natural_frequency / math.pi == pytest.approx(11.20, abs=0.01)
-    assert math.degrees(found.friction_angle) == pytest.approx(35.52, abs=0.06)  # b/f0 is known to four digits
-    assert not found.refused
+    estimate = estimate_linear(fit_of(25.06, 0.2022), CHEESE)
+    assert estimate.natural_frequency / math.pi == pytest.approx(11.20, abs=0.01)
+    assert math.degrees(estimate.friction_angle) == pytest.approx(35.52, abs=0.06)  # b/f0 is known to four digits
+    assert not estimate.refused
 
 
 @pytest.mark.parametrize(
@@ -217,11 +217,11 @@ def test_published_tables_are_reproduced():
      ("3 deg", 21.0, 0.2, "ω_n")],
 )  # fmt: skip
 def test_outside_its_domain_it_refuses(angle, f0, ratio, named):
-    found = estimate_linear(fit_of(f0, ratio), CHEESE.replace(**{"motion.angle": angle}))
-    assert named in " ".join(found.refused)
-    assert found.summary()["parameters"]["friction_angle"]["median"] is None
+    estimate = estimate_linear(fit_of(f0, ratio), CHEESE.replace(**{"motion.angle": angle}))
+    assert named in " ".join(estimate.refused)
+    assert estimate.summary()["parameters"]["friction_angle"]["median"] is None
     with pytest.raises(InputError):
-        found.to_fragment(CHEESE)
+        estimate.to_fragment(CHEESE)
 
 
 @pytest.mark.parametrize(

@@ -113,7 +113,7 @@ def test_a_verdict_says_what_does_not_hold():
 
 
 def test_runs_are_shared_and_ensembles_have_a_spread():
-    case = Case(2, thing="pancake")
+    case = Case(2, preset="pancake")
     results = run_cases([case, case], repeats=2, seed=0)
     assert list(results.runs) == [case]
     assert len(results[case].observations[0]) == 2

@@ -27,15 +27,15 @@ def thesis(
     """Regenerate the dissertation's simulated figures and tables, each beside its published value."""
     from plategait.thesis import reproduce
     from plategait.thesis.report import prepare_folder, write_report
-    from plategait.thesis.study import known_name, simulates
+    from plategait.thesis.study import item_name, simulates
 
-    chosen = [known_name(name) for name in names or ()]
+    items = [item_name(name) for name in names or ()]
     options.refuse_idle_seed(context, repeats)
-    if chosen and not simulates(chosen):
-        refuse(context, ["repeats", "seed"], f"for {' and '.join(chosen)}, made without a run", "fig4.7")
+    if items and not simulates(items):
+        refuse(context, ["repeats", "seed"], f"for {' and '.join(items)}, made without a run", "fig4.7")
     prepare_folder(out)
     with report.progress_bar("simulating") as progress:
-        study = reproduce(chosen or None, seed=seed, repeats=repeats, progress=progress)
+        study = reproduce(items or None, seed=seed, repeats=repeats, progress=progress)
     page = write_report(study, out)
     if as_json:
         return report.print_json(study.summary() | {"report": str(page)})

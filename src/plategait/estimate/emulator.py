@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from plategait.arrays import Array
 
@@ -57,11 +56,11 @@ def fit_rates(u: Array, rates: Array, weight: NDArray[np.bool_]) -> RateEmulator
     weight : (n,) bool array
         Runs whose errors count: those near what was measured.
     """
-    known = np.isfinite(rates)
+    stayed = np.isfinite(rates)
     error = np.full(rates.shape[1], math.inf)
     splines = []
-    for pattern in np.unique(known, axis=1).T:
-        columns = np.flatnonzero((known == pattern[:, None]).all(axis=0))
+    for pattern in np.unique(stayed, axis=1).T:
+        columns = np.flatnonzero((stayed == pattern[:, None]).all(axis=0))
         rows = np.flatnonzero(pattern)
         if len(rows) < max(LEAST_RUNS, _terms(u.shape[1], 2) + 2):
             continue
@@ -178,9 +177,9 @@ def fit_run_off(u: Array, low: Array, high: Array, near: NDArray[np.bool_]) -> R
         gradient[1:-1] += 2 * ridge
         return float(-value + ridge @ x[1:-1]), gradient
 
-    found = minimize(cost, np.append(start, math.log(spread)), jac=True, method="L-BFGS-B",
+    minimum = minimize(cost, np.append(start, math.log(spread)), jac=True, method="L-BFGS-B",
                      bounds=[(None, None)] * len(start) + [(math.log(1e-3), math.log(10.0))])  # fmt: skip
-    return RunOffEmulator(found.x[:-1], degree, SHARPEST_RUN_OFF + math.exp(found.x[-1]))
+    return RunOffEmulator(minimum.x[:-1], degree, SHARPEST_RUN_OFF + math.exp(minimum.x[-1]))
 
 
 def _censored(centre: Array, width: float, low: Array, high: Array) -> tuple[float, Array, float]:
@@ -200,7 +199,7 @@ def _censored(centre: Array, width: float, low: Array, high: Array) -> tuple[flo
     return float(log_all.sum()), slope, by_width
 
 
-def brackets(failed: NDArray[np.bool_], frequency: Sequence[float]) -> tuple[Array, Array]:
+def brackets(failed: NDArray[np.bool_], frequency: ArrayLike) -> tuple[Array, Array]:
     """Frequencies (n,) between which runs at rising frequencies (n, c) begin to fail; 0 or infinity where none."""
     f = np.asarray(frequency, dtype=float)
     first = np.where(failed, f, math.inf).min(axis=1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -15,7 +15,10 @@ from plategait.estimate.result import Estimate
 from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes
 from plategait.simulation.ensemble import fails
 
-NAMES = {
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+AXIS_LABELS = {
     "natural_frequency": "$\\omega_n$ (π rad/s)", "friction_angle": "$\\alpha$ (deg)",
     "friction_ratio": "$\\beta$ = $\\mu_k/\\mu_s$", "mass": "mass over that told",
     "bending_damping": "$c_b$ over that told", "contact_damping": "contact damping over that told",
@@ -24,7 +27,7 @@ NAMES = {
 
 def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figure:
     """Predicted spin curves over the data, one panel an amplitude, and below them the posterior of each parameter."""
-    d = len(estimate.findings)
+    d = len(estimate.marginals)
     columns = max(len(predictions), d, 2)
     figure = Figure(figsize=(3.3 * columns, 6.6), layout="constrained")
     grid = figure.add_gridspec(2, columns, height_ratios=[1.25, 1])
@@ -35,14 +38,24 @@ def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figu
     values = estimate.posterior.values
     for i in range(d):
         _draw_parameter(figure.add_subplot(grid[1, i]), estimate, i, values)
-    if not estimate.check.explained:
+    if not estimate.goodness.explained:
         figure.suptitle(
-            "not explained: " + "; ".join(estimate.check.complaints), color=RED, fontsize=9, x=0.01, ha="left"
+            "not explained: " + "; ".join(estimate.goodness.complaints), color=RED, fontsize=9, x=0.01, ha="left"
         )
     return figure
 
 
-def _draw_curve(axes: Any, estimate: Estimate, prediction: Prediction) -> None:
+def _draw_curve(axes: Axes, estimate: Estimate, prediction: Prediction) -> None:
+    """Predicted spin curve of one amplitude, and the points measured at it."""
+    _draw_prediction(axes, prediction)
+    _draw_data(axes, estimate, prediction.amplitude)
+    axes.set_title(f"$A_p$ = {math.degrees(prediction.amplitude[0]):.3g} deg", loc="left", fontsize=10)
+    axes.set_ylim(bottom=0)
+    axes.legend(frameon=False, fontsize=8, loc="upper left")
+    label_axes(axes, "plate frequency $f_p$ (Hz)", "spin rate $\\omega_B$ (deg/s)")
+
+
+def _draw_prediction(axes: Axes, prediction: Prediction) -> None:
     f, rates = prediction.frequency, prediction.rates
     with np.errstate(all="ignore"):
         stays = ~fails(prediction.failed.sum(axis=0), len(prediction.failed))
@@ -52,23 +65,22 @@ def _draw_curve(axes: Any, estimate: Estimate, prediction: Prediction) -> None:
     runs_off = ~stays & (f > f[stays].max(initial=0.0))
     if runs_off.any():
         axes.axvspan(f[runs_off].min(), f.max(), color=GREY, alpha=0.12, lw=0, label="predicted to run off")
+
+
+def _draw_data(axes: Axes, estimate: Estimate, amplitude: tuple[float, float]) -> None:
     data = estimate.posterior.data
-    mine = np.array([data.conditions[i].amplitude == prediction.amplitude for i in data.which])
-    outlier = np.isin(data.frequency, estimate.check.outliers) & data.rated
-    for chosen, colour, label in ((~outlier, "black", "measured"), (outlier, ORANGE, "probably an outlier")):
-        here = mine & data.rated & chosen
-        if here.any():
-            bars = np.where(np.isfinite(data.sd), data.sd, 0.0)[here]
-            axes.errorbar(data.frequency[here], data.rate[here], bars, fmt="o", mfc="white", mec=colour, ecolor=colour,
-                          ms=5.5, mew=1.3, label=label)  # fmt: skip
-    gone = mine & data.failed
-    if gone.any():
-        axes.plot(data.frequency[gone], np.zeros(gone.sum()), "x", color=RED, ms=7, mew=1.5, clip_on=False,
+    at_amplitude = np.array([data.conditions[i].amplitude == amplitude for i in data.which])
+    outlier = np.isin(data.frequency, estimate.goodness.outliers) & data.rated
+    for group, colour, label in ((~outlier, "black", "measured"), (outlier, ORANGE, "probably an outlier")):
+        points = at_amplitude & data.rated & group
+        if points.any():
+            bars = np.where(np.isfinite(data.sd), data.sd, 0.0)[points]
+            style: dict[str, Any] = {"fmt": "o", "mfc": "white", "mec": colour, "ecolor": colour, "ms": 5.5, "mew": 1.3}
+            axes.errorbar(data.frequency[points], data.rate[points], bars, label=label, **style)
+    failed = at_amplitude & data.failed
+    if failed.any():
+        axes.plot(data.frequency[failed], np.zeros(failed.sum()), "x", color=RED, ms=7, mew=1.5, clip_on=False,
                   label="ran off")  # fmt: skip
-    axes.set_title(f"$A_p$ = {math.degrees(prediction.amplitude[0]):.3g} deg", loc="left", fontsize=10)
-    axes.set_ylim(bottom=0)
-    axes.legend(frameon=False, fontsize=8, loc="upper left")
-    label_axes(axes, "plate frequency $f_p$ (Hz)", "spin rate $\\omega_B$ (deg/s)")
 
 
 def _quantile(rates: Array, q: float) -> Array:
@@ -76,17 +88,17 @@ def _quantile(rates: Array, q: float) -> Array:
     return np.array([np.quantile(c[np.isfinite(c)], q) if np.isfinite(c).any() else math.nan for c in rates.T])
 
 
-def _draw_parameter(axes: Any, estimate: Estimate, i: int, values: Array) -> None:
-    finding = estimate.findings[i]
-    p = finding.parameter
+def _draw_parameter(axes: Axes, estimate: Estimate, i: int, values: Array) -> None:
+    marginal = estimate.marginals[i]
+    p = marginal.parameter
     x = values[:, i] / p.scale
     low, high = np.quantile(x, [0.001, 0.999])
     bins = np.linspace(low, high, 40)
-    axes.hist(x, bins=bins, color=BLUE if finding.verdict == "determined" else GREY, alpha=0.75, density=True)
-    if finding.verdict == "determined":
-        for end in (finding.low, finding.high):
+    axes.hist(x, bins=bins, color=BLUE if marginal.determined else GREY, alpha=0.75, density=True)
+    if marginal.determined:
+        for end in (marginal.low, marginal.high):
             axes.axvline(end / p.scale, color="black", lw=0.9, ls=":")
-    axes.set_title(finding.text, loc="left", fontsize=9)
+    axes.set_title(marginal.text, loc="left", fontsize=9)
     axes.set_yticks([])
-    label_axes(axes, NAMES[p.name], "")
+    label_axes(axes, AXIS_LABELS[p.name], "")
     axes.spines["left"].set_visible(False)

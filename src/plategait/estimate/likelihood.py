@@ -1,4 +1,4 @@
-"""How probable the measured points are, given parameters: rates, run-offs, noise and the odd outlier."""
+"""How probable the measured points are, given parameters: rates, run-offs, noise and the outlier outlier."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from plategait.arrays import Array
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
 from plategait.estimate.observations import Observations
-from plategait.estimate.trials import Trials
-from plategait.estimate.unknowns import Parameter
+from plategait.estimate.runs import EngineRuns
+from plategait.estimate.unknowns import Unknown
 
-NOISE = Parameter("noise", 0.005, 0.3, True, "%", 0.01)
+NOISE = Unknown(name="noise", low=0.005, high=0.3, logarithmic=True)
 """Relative standard deviation of the rates, an unknown of its own where the data do not come with theirs."""
 LEAST_NOISE = 1.0  # deg/s, of a relative noise: no camera sees a rate better
 OUTLIER_SHARE = 0.02
@@ -70,7 +70,7 @@ class Likelihood:
         return self.rates.error[self.data.which[self.data.rated]]
 
     def point_terms(self, u: Array) -> tuple[Array, Array]:
-        """Log densities (n, points) of the rated points as sound ones, and as outliers; shares taken in."""
+        """Log densities (n, points) of the rated points as inliers, and as outliers; shares taken in."""
         parameters, noise = self.split(u)
         predicted = self.predicted(parameters)
         sd = self.spread(predicted, noise)
@@ -79,11 +79,11 @@ class Likelihood:
         def log_normal(spread: Array) -> Array:
             return -0.5 * (deviation / spread) ** 2 - np.log(spread) - 0.5 * math.log(math.tau)
 
-        known = np.isfinite(self._error)
+        emulated = np.isfinite(self._error)
         with np.errstate(invalid="ignore"):
-            sound = np.where(known, log_normal(sd), 0.0) + math.log1p(-OUTLIER_SHARE)
-            odd = np.where(known, log_normal(OUTLIER_SPREAD * sd), -math.inf) + math.log(OUTLIER_SHARE)
-        return sound, odd
+            inlier = np.where(emulated, log_normal(sd), 0.0) + math.log1p(-OUTLIER_SHARE)
+            outlier = np.where(emulated, log_normal(OUTLIER_SPREAD * sd), -math.inf) + math.log(OUTLIER_SHARE)
+        return inlier, outlier
 
     def run_off_terms(self, u: Array) -> Array:
         """Log probability (n, amplitudes) that the object begins to run off where it did."""
@@ -99,14 +99,14 @@ class Likelihood:
 
     def __call__(self, u: Array) -> Array:
         """Log likelihood (n,) of samples (n, d or d + 1) of the unit cube."""
-        sound, odd = self.point_terms(u)
-        return np.logaddexp(sound, odd).sum(axis=1) + self.run_off_terms(u).sum(axis=1)
+        inlier, outlier = self.point_terms(u)
+        return np.logaddexp(inlier, outlier).sum(axis=1) + self.run_off_terms(u).sum(axis=1)
 
 
-def learn(data: Observations, trials: Trials, near: NDArray[np.bool_], noise: float | None) -> Likelihood:
+def learn(data: Observations, runs: EngineRuns, near: NDArray[np.bool_], noise: float | None) -> Likelihood:
     """Likelihood from the engine's runs; those `near` (n,) what was measured count most."""
     run_offs = {}
     for amplitude in data.brackets():
-        low, high = trials.brackets(amplitude)
-        run_offs[amplitude] = fit_run_off(trials.u, low, high, near)
-    return Likelihood(data, fit_rates(trials.u, trials.rates, near), run_offs, noise)
+        low, high = runs.brackets(amplitude)
+        run_offs[amplitude] = fit_run_off(runs.u, low, high, near)
+    return Likelihood(data, fit_rates(runs.u, runs.rates, near), run_offs, noise)

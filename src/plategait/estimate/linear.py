@@ -15,6 +15,7 @@ import numpy as np
 from plategait import published
 from plategait.curve.lorentz import LorentzFit
 from plategait.errors import InputError
+from plategait.estimate.unknowns import FRICTION_ANGLE, NATURAL_FREQUENCY
 from plategait.files.plain import plain
 from plategait.model.fragment import Fragment
 from plategait.model.measured import Measured
@@ -75,14 +76,13 @@ class LinearEstimate:
 
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`; None where refused."""
-        scales = {"natural_frequency": (math.pi, "π rad/s"), "friction_angle": (math.radians(1), "deg")}
         numbers = {
-            name: {
-                "unit": unit,
-                "median": None if self.refused else plain(getattr(self, name) / scale),
-                "sd": None if self.refused else plain(getattr(self, f"{name}_sd") / scale),
+            unknown.name: {
+                "unit": unknown.unit,
+                "median": None if self.refused else plain(getattr(self, unknown.name) / unknown.scale),
+                "sd": None if self.refused else plain(getattr(self, f"{unknown.name}_sd") / unknown.scale),
             }
-            for name, (scale, unit) in scales.items()
+            for unknown in (NATURAL_FREQUENCY, FRICTION_ANGLE)
         }
         return {"method": self.method, "coefficients": self.coefficients, "parameters": numbers,
                 "refused": list(self.refused)}  # fmt: skip
@@ -115,8 +115,8 @@ def calibrations() -> Mapping[str, Any]:
 def line(method: Method, coefficients: Coefficients, angle_deg: int, of: Literal["omega", "alpha"]) -> Line:
     """Calibrated line of one amplitude."""
     if coefficients == "published":
-        known, number = published.regression(angle_deg), {"omega": 1, "alpha": 2}[of]
-        powers = (known[f"q{number}"].value, known[f"p{number}"].value)
+        numbers, index = published.regression(angle_deg), {"omega": 1, "alpha": 2}[of]
+        powers = (numbers[f"q{index}"].value, numbers[f"p{index}"].value)
         return Line(powers, published.residual_sd(angle_deg, of), *published.domain(angle_deg, of))
     entry = calibrations()[coefficients][method][f"{angle_deg}deg"][of]
     return Line(tuple(entry["powers"]), entry["sd"], *published.domain(angle_deg, of))
@@ -147,12 +147,42 @@ def estimate_linear(
     InputError
         For an amplitude, stroke or size that the method knows nothing of, or an unknown method.
     """
+    coefficients = _coefficients(method, coefficients)
+    angle = _amplitude(scenario, method)
+    omega_line, alpha_line = (line(method, coefficients, angle, of) for of in ("omega", "alpha"))
+    f0_sd, b_sd = (_sd(fit.f0_interval), _sd(fit.half_width_interval))
+    ratio = fit.half_width_hz / fit.f0_hz
+    ratio_sd = ratio * math.hypot(b_sd / fit.half_width_hz, f0_sd / fit.f0_hz)
+    omega, alpha = omega_line(fit.f0_hz), alpha_line(ratio)
+    outside = [
+        f"{name} would be {value:.3g} {unit}, and at A_p = {angle} deg the method holds from {domain.low:g} to "
+        f"{domain.high:g} {unit}"
+        for name, value, unit, domain in (("ω_n", omega, "π rad/s", omega_line), ("α", alpha, "deg", alpha_line))
+        if not domain.low <= value <= domain.high
+    ]
+    return LinearEstimate(
+        natural_frequency=omega * math.pi,
+        natural_frequency_sd=omega_line.spread(fit.f0_hz, f0_sd) * math.pi,
+        friction_angle=math.radians(alpha),
+        friction_angle_sd=math.radians(alpha_line.spread(ratio, ratio_sd)),
+        method=method,
+        coefficients=coefficients,
+        refused=tuple(outside),
+    )
+
+
+def _coefficients(method: Method, coefficients: Coefficients | None) -> Coefficients:
+    """Coefficients to use, which the method must have."""
     if method not in ("linear", "quadratic"):
         raise InputError("--method", method, "posterior, linear or quadratic", "posterior")
-    known: tuple[Coefficients, ...] = ("published", "refitted") if method == "linear" else ("refitted",)
-    coefficients = coefficients or known[0]
-    if coefficients not in known:
-        raise InputError("--coefficients", coefficients, f"{' or '.join(known)} for --method {method}", "refitted")
+    allowed: tuple[Coefficients, ...] = ("published", "refitted") if method == "linear" else ("refitted",)
+    if coefficients is not None and coefficients not in allowed:
+        raise InputError("--coefficients", coefficients, f"{' or '.join(allowed)} for --method {method}", "refitted")
+    return coefficients or allowed[0]
+
+
+def _amplitude(scenario: Scenario, method: Method) -> int:
+    """A_p (deg) of the calibration that holds for a scenario, whose plate and object must be the source's."""
     motion, outline = scenario.motion, scenario.sheet.outline
     angle = next((a for a in published.AMPLITUDES if abs(math.degrees(motion.angle) / a - 1) < SLACK), None)
     if angle is None:
@@ -162,27 +192,12 @@ def estimate_linear(
         raise InputError("--stroke", f"{1e3 * motion.stroke:.3g} mm", f"3 mm for --method {method}",
                          '"3 mm", or --method posterior')  # fmt: skip
     if abs(getattr(outline, "radius", 0.0) / published.RADIUS - 1) > SLACK:
-        raise InputError("--radius", _named(outline), f"a disk of 40 mm for --method {method}",
+        raise InputError("--radius", _described(outline), f"a disk of 40 mm for --method {method}",
                          '"40 mm", or --method posterior')  # fmt: skip
-    omega_line, alpha_line = (line(method, coefficients, angle, of) for of in ("omega", "alpha"))
-    f0_sd, b_sd = (_sd(fit.f0_interval), _sd(fit.half_width_interval))
-    ratio = fit.half_width_hz / fit.f0_hz
-    ratio_sd = ratio * math.hypot(b_sd / fit.half_width_hz, f0_sd / fit.f0_hz)
-    omega, alpha = omega_line(fit.f0_hz), alpha_line(ratio)
-    refused = tuple(
-        f"{name} would be {value:.3g} {unit}, and at A_p = {angle} deg the method holds from {known.low:g} to "
-        f"{known.high:g} {unit}"
-        for name, value, unit, known in (("ω_n", omega, "π rad/s", omega_line), ("α", alpha, "deg", alpha_line))
-        if not known.low <= value <= known.high
-    )
-    return LinearEstimate(
-        natural_frequency=omega * math.pi, natural_frequency_sd=omega_line.spread(fit.f0_hz, f0_sd) * math.pi,
-        friction_angle=math.radians(alpha), friction_angle_sd=math.radians(alpha_line.spread(ratio, ratio_sd)),
-        method=method, coefficients=coefficients, refused=refused,
-    )  # fmt: skip
+    return angle
 
 
-def _named(outline: Outline) -> str:
+def _described(outline: Outline) -> str:
     """An outline in words."""
     if isinstance(outline, Disk):
         return f"a disk of {1e3 * outline.radius:.4g} mm"

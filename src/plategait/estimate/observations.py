@@ -81,16 +81,16 @@ class Observations:
 
         The highest at which it stayed below the lowest at which it failed; 0 or infinity where there is none.
         """
-        found = {}
+        brackets = {}
         for amplitude in dict.fromkeys(c.amplitude for c in self.conditions):
-            here = np.array([self.conditions[i].amplitude == amplitude for i in self.which])
-            failed, stayed = self.frequency[here & self.failed], self.frequency[here & self.rated]
+            members = np.array([self.conditions[i].amplitude == amplitude for i in self.which])
+            failed, stayed = self.frequency[members & self.failed], self.frequency[members & self.rated]
             first = float(failed.min(initial=math.inf))
             last = float(stayed[stayed <= first].max(initial=0.0))
             if last == first:  # seen to do both
                 last, first = last - FREQUENCY_STEP, first + FREQUENCY_STEP
-            found[amplitude] = (last, first)
-        return found
+            brackets[amplitude] = (last, first)
+        return brackets
 
 
 def observe_curves(curves: Sequence[Curve], motions: Sequence[PlateMotion]) -> Observations:
@@ -145,6 +145,5 @@ def _up_to_the_first_failure(
     first: dict[tuple[float, float], float] = {}
     for condition, _, _, failed in points:
         if failed:
-            known = first.get(condition.amplitude, math.inf)
-            first[condition.amplitude] = min(known, condition.frequency)
+            first[condition.amplitude] = min(first.get(condition.amplitude, math.inf), condition.frequency)
     return [p for p in points if not p[3] or p[0].frequency <= first[p[0].amplitude]]

@@ -17,25 +17,49 @@ from plategait.arrays import Array
 from plategait.estimate.emulator import SHARPEST_RUN_OFF
 from plategait.estimate.likelihood import Likelihood, learn
 from plategait.estimate.observations import Observations
-from plategait.estimate.trials import Trials, run_trials
+from plategait.estimate.particles import Particles, explore, folded, stratified
+from plategait.estimate.runs import EngineRuns, run_engine
 from plategait.estimate.unknowns import Unknowns
 
-FIRST_ROUND = 48
-LATER_ROUND = 32
-# At least one round follows the first, and no more than this.
-MOST_ROUNDS = 3
-# Emulators are good enough when their errors are below this share of the measurement's own.
-GOOD_ENOUGH = 0.2
-# Each unknown beyond three asks for this many more runs a round.
-MORE_PER_UNKNOWN = 16
-# Runs whose log likelihood lies within this of the best are near what was measured.
-NEAR = 8.0
-CLOUD = 2**14
-GENERATIONS = 8
-WALKERS, BURN_IN, STEPS, THIN = 96, 200, 400, 5
+Progress = Callable[[float], object]
 
-# Points of the unit cube with their log likelihoods.
-Cloud = tuple[Array, Array]
+
+@dataclass(frozen=True)
+class Effort:
+    """How thoroughly the posterior is sought.
+
+    Parameters
+    ----------
+    first_round, later_round : int
+        Parameter sets that the engine runs in the first round, over the whole prior, and in each one after it. 48 teach
+        a quadratic of three unknowns with half of them spare.
+    more_per_unknown : int
+        Further ones a round for each unknown beyond three.
+    most_rounds : int
+        After the first; at least one follows it.
+    good_enough : float
+        Share of the measurement's own error below which the emulators' errors end the rounds.
+    near : float
+        Log likelihood below the best within which runs lie near what was measured: four standard deviations.
+    walkers, steps, burn_in, thin : int
+        Of the sampler; steps of each walker, of which the first are left out, and of the rest all but every so many.
+    """
+
+    first_round: int = 48
+    later_round: int = 32
+    more_per_unknown: int = 16
+    most_rounds: int = 3
+    good_enough: float = 0.2
+    near: float = 8.0
+    walkers: int = 96
+    steps: int = 400
+    burn_in: int = 200
+    thin: int = 5
+
+    def rounds(self, dimensions: int) -> tuple[int, int]:
+        """Parameter sets of the first round and of each later one, for so many unknowns."""
+        more = self.more_per_unknown * max(0, dimensions - 3)
+        return self.first_round + 2 * more, self.later_round + more
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +76,7 @@ class Posterior:
         Relative noise of each sample; 0 where the data came with theirs.
     likelihood : Likelihood
         Of the last round.
-    trials : Trials
+    runs : EngineRuns
         Every run of the engine.
     full : (n, d or d + 1) array
         Samples with the noise's share, as `likelihood` takes them.
@@ -63,7 +87,7 @@ class Posterior:
     u: Array
     noise: Array
     likelihood: Likelihood
-    trials: Trials
+    runs: EngineRuns
     full: Array
 
     @property
@@ -72,13 +96,23 @@ class Posterior:
         return self.unknowns.values(self.u)
 
 
+@dataclass(frozen=True, eq=False)
+class _Round:
+    """What is known after a round: every run so far, what was learnt of them, and where the data are likely."""
+
+    runs: EngineRuns
+    likelihood: Likelihood
+    particles: Particles
+
+
 def estimate_posterior(
     data: Observations,
     unknowns: Unknowns,
     *,
     noise: float | None = None,
     seed: int = 0,
-    progress: Callable[[float], object] | None = None,
+    progress: Progress | None = None,
+    effort: Effort | None = None,
 ) -> Posterior:
     """Sample the posterior.
 
@@ -92,156 +126,102 @@ def estimate_posterior(
         Of the sampling.
     progress : callable, optional
         Called with the fraction done.
+    effort : Effort, optional
+        How thoroughly.
 
     Returns
     -------
     Posterior
     """
+    effort = effort or Effort()
     generator = np.random.default_rng(seed)
     dimensions = len(unknowns.parameters)
-    more = MORE_PER_UNKNOWN * max(0, dimensions - 3)
-    first, later = FIRST_ROUND + 2 * more, LATER_ROUND + more
-    u = stratified(first, dimensions, generator)
-    trials: Trials | None = None
-    likelihood: Likelihood | None = None
-    cloud: Cloud | None = None
-    for i in range(1 + MOST_ROUNDS):
+    first, later = effort.rounds(dimensions)
 
-        def report(done: float, i: int = i, size: int = len(u), before: int = len(trials.u) if trials else 0) -> None:
-            if progress is not None:
-                progress(min(1.0, (before + size * done) / (first + 2 * later)) if i < 3 else 1.0)
+    def run(u: Array, before: int) -> EngineRuns:
+        report = None if progress is None else _part(progress, before, len(u), first + 2 * later)
+        return run_engine(unknowns, u, data.conditions, seed=seed, progress=report)
 
-        fresh = run_trials(unknowns, u, data.conditions, seed=seed, progress=report)
-        trials = fresh if trials is None else trials.joined(fresh)
-        likelihood = _learn(data, trials, likelihood, noise)
-        cloud = _cloud(likelihood, dimensions, generator)
-        if i and _good_enough(likelihood, cloud, generator):
+    def learn_from(runs: EngineRuns, near: NDArray[np.bool_]) -> _Round:
+        likelihood = learn(data, runs, near, noise)
+        return _Round(runs, likelihood, explore(likelihood, dimensions + likelihood.noise_is_unknown, generator))
+
+    runs = run(stratified(first, dimensions, generator), 0)
+    latest = learn_from(runs, np.ones(first, dtype=bool))
+    u = _promising(latest.particles, dimensions, later, generator)
+    for _ in range(effort.most_rounds):
+        runs = latest.runs.joined(run(u, len(latest.runs.u)))
+        latest = learn_from(runs, _near(latest.likelihood, runs.u, effort.near))
+        if _emulates(latest, effort.good_enough, generator):
             break
-        u = _promising(cloud, dimensions, later, generator)
-    assert likelihood is not None
-    assert trials is not None
-    assert cloud is not None
-    full = _sample(likelihood, cloud, generator)
-    parameters, sampled_noise = likelihood.split(full)
-    return Posterior(unknowns, data, parameters, sampled_noise, likelihood, trials, full)
+        u = _promising(latest.particles, dimensions, later, generator)
+    full = _sample(latest, effort, generator)
+    parameters, sampled_noise = latest.likelihood.split(full)
+    return Posterior(unknowns, data, parameters, sampled_noise, latest.likelihood, latest.runs, full)
 
 
-def stratified(size: int, dimensions: int, generator: np.random.Generator) -> Array:
-    """Latin hypercube: (size, dimensions) points of the unit cube, one in each of `size` strata of each axis."""
-    strata = generator.permuted(np.tile(np.arange(size), (dimensions, 1)), axis=1).T
-    return (strata + generator.random((size, dimensions))) / size
+def _part(progress: Progress, before: int, size: int, total: int) -> Progress:
+    """Progress of a round of `size` parameter sets, `before` of the `total` done."""
+    return lambda done: progress(min(1.0, (before + size * done) / total))
 
 
-def _good_enough(likelihood: Likelihood, cloud: Cloud, generator: np.random.Generator) -> bool:
+def _emulates(latest: _Round, good_enough: float, generator: np.random.Generator) -> bool:
     """Whether the emulators add little to what the measurement leaves open."""
-    u, score = cloud
-    likely = u[_resampled(score, 1.0, 256, generator)]
-    parameters, noise = likelihood.split(likely)
+    likelihood, data = latest.likelihood, latest.likelihood.data
+    parameters, noise = likelihood.split(latest.particles.resampled(1.0, 256, generator))
     spread = np.median(likelihood.spread(likelihood.predicted(parameters), noise), axis=0)
-    error = likelihood.rates.error[likelihood.data.which[likelihood.data.rated]]
-    known = np.isfinite(error)
-    rates_known = bool(known.all() and np.quantile(error / spread, 0.75) < GOOD_ENOUGH)
-    brackets = likelihood.data.brackets()
-    run_offs_known = all(
+    error = likelihood.rates.error[data.which[data.rated]]
+    if not np.isfinite(error).all() or np.quantile(error / spread, 0.75) >= good_enough:
+        return False
+    return all(
         emulator is not None and emulator.width < max(0.5 * (high - low), 2 * SHARPEST_RUN_OFF)
-        for amplitude, emulator in likelihood.run_offs.items()
-        for low, high in [brackets[amplitude]]
+        for emulator, (low, high) in ((likelihood.run_offs[a], bracket) for a, bracket in data.brackets().items())
         if math.isfinite(high) and low > 0
     )
-    return rates_known and run_offs_known
 
 
-def _learn(data: Observations, trials: Trials, before: Likelihood | None, noise: float | None) -> Likelihood:
-    """Learn from all runs; those that the likelihood before finds probable count most."""
-    everywhere = np.ones(len(trials.u), dtype=bool)
-    if before is None:
-        return learn(data, trials, everywhere, noise)
-    return learn(data, trials, _near(before, trials.u), noise)
-
-
-def _near(likelihood: Likelihood, u: Array) -> NDArray[np.bool_]:
+def _near(likelihood: Likelihood, u: Array, within: float) -> NDArray[np.bool_]:
     """Runs whose parameters lie near what was measured."""
     if likelihood.noise_is_unknown:
         levels = np.linspace(0.05, 0.95, 7)
         scores = np.max([likelihood(np.column_stack([u, np.full(len(u), level)])) for level in levels], axis=0)
     else:
         scores = likelihood(u)
-    return scores > scores.max() - NEAR
+    return scores > scores.max() - within
 
 
-def _cloud(likelihood: Likelihood, dimensions: int, generator: np.random.Generator) -> Cloud:
-    """Points of the cube and their log likelihoods, ever denser where the data are likely.
-
-    Each generation spreads about the best of all before it, at a temperature that keeps enough of them; once that
-    temperature is 1, the points cover the posterior.
-    """
-    dimensions += likelihood.noise_is_unknown
-    u = stratified(CLOUD, dimensions, generator)
-    score = likelihood(u)
-    for _ in range(GENERATIONS):
-        temperature = _temperature(score, 50 * dimensions)
-        parents = u[_resampled(score, temperature, CLOUD // 4, generator)]
-        step = (
-            generator.normal(0, 1, parents.shape) @ np.linalg.cholesky(np.cov(parents.T) + 1e-8 * np.eye(dimensions)).T
-        )
-        children = _folded(parents + 0.5 * step)
-        u, score = np.concatenate([u, children]), np.concatenate([score, likelihood(children)])
-        if temperature == 1:
-            break
-    return u, score
-
-
-def _folded(u: Array) -> Array:
-    """Points beyond the unit cube mirrored back into it."""
-    u = np.abs(u) % 2
-    return np.where(u > 1, 2 - u, u)
-
-
-def _temperature(score: Array, least: float) -> float:
-    """Temperature at which the weights of a cloud amount to at least so many points."""
-    temperature = 1.0
-    while temperature < 1e6:
-        weight = np.exp((score - score.max()) / temperature)
-        if weight.sum() ** 2 / np.sum(weight**2) >= least:
-            break
-        temperature *= 1.5
-    return temperature
-
-
-def _resampled(score: Array, temperature: float, size: int, generator: np.random.Generator) -> NDArray[np.int64]:
-    weight = np.exp((score - score.max()) / temperature)
-    return generator.choice(len(score), size=size, p=weight / weight.sum())
-
-
-def _promising(cloud: Cloud, dimensions: int, size: int, generator: np.random.Generator) -> Array:
+def _promising(particles: Particles, dimensions: int, size: int, generator: np.random.Generator) -> Array:
     """Where to run the engine next: three quarters from the posterior, a quarter from its wider surroundings."""
-    u, score = cloud
-    close = _resampled(score, max(2.0, _temperature(score, 200)), size - size // 4, generator)
-    wide = _resampled(score, max(8.0, 4 * _temperature(score, 200)), size // 4, generator)
-    chosen = u[np.concatenate([close, wide])][:, :dimensions]
-    return _folded(chosen + generator.normal(0, 0.01, chosen.shape))
+    warm = particles.temperature(200)
+    close = particles.resampled(max(2.0, warm), size - size // 4, generator)
+    wide = particles.resampled(max(8.0, 4 * warm), size // 4, generator)
+    u = np.concatenate([close, wide])[:, :dimensions]
+    return folded(u + generator.normal(0, 0.01, u.shape))
 
 
-def _sample(likelihood: Likelihood, cloud: Cloud, generator: np.random.Generator) -> Array:
+def _sample(latest: _Round, effort: Effort, generator: np.random.Generator) -> Array:
     """Samples of the posterior: walkers that start all over it, so that none of its parts is missed."""
     import emcee
 
-    u, score = cloud
-    start = u[_resampled(score, _temperature(score, 4 * WALKERS), WALKERS, generator)]
-    start = _folded(start + generator.normal(0, 1e-4, start.shape))
+    particles, walkers = latest.particles, effort.walkers
+    start = particles.resampled(particles.temperature(4 * walkers), walkers, generator)
+    start = folded(start + generator.normal(0, 1e-4, start.shape))
 
     def log_posterior(x: Array) -> Array:
         inside = ((x > 0) & (x < 1)).all(axis=1)
         value = np.full(len(x), -np.inf)
         if inside.any():
-            value[inside] = likelihood(x[inside])
+            value[inside] = latest.likelihood(x[inside])
         return value
 
     sampler = emcee.EnsembleSampler(
-        WALKERS, start.shape[1], log_posterior, vectorize=True,
+        walkers,
+        start.shape[1],
+        log_posterior,
+        vectorize=True,
         moves=[(emcee.moves.DEMove(), 0.7), (emcee.moves.StretchMove(), 0.3)],
-    )  # fmt: skip
+    )
     # The sampler keeps a generator of the old kind; it is given its seed through a state.
     sampler.random_state = np.random.RandomState(generator.integers(2**31)).get_state()
-    sampler.run_mcmc(start, STEPS)
-    return np.asarray(sampler.get_chain(discard=BURN_IN, thin=THIN, flat=True))
+    sampler.run_mcmc(start, effort.steps)
+    return np.asarray(sampler.get_chain(discard=effort.burn_in, thin=effort.thin, flat=True))

@@ -10,7 +10,7 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.estimate.observations import Condition
 from plategait.estimate.posterior import Posterior
-from plategait.estimate.trials import run_trials
+from plategait.estimate.runs import run_engine
 
 DRAWS = 24
 POINTS = 25
@@ -54,6 +54,6 @@ def predict(
             if progress is not None:
                 progress((i + done) / len(amplitudes))
 
-        trials = run_trials(posterior.unknowns, u, conditions, seed=seed, progress=report)
-        predictions.append(Prediction(amplitude, grid, trials.rates, trials.failed))
+        runs = run_engine(posterior.unknowns, u, conditions, seed=seed, progress=report)
+        predictions.append(Prediction(amplitude, grid, runs.rates, runs.failed))
     return predictions

@@ -15,7 +15,8 @@ from plategait.arrays import Array
 from plategait.curve.curve import Curve
 from plategait.curve.curve_file import as_curve
 from plategait.errors import InputError
-from plategait.estimate.judgement import CONFIDENCE, Finding, FitCheck, check_fit, judge
+from plategait.estimate.goodness import Goodness, goodness_of_fit
+from plategait.estimate.identifiability import CONFIDENCE, Marginal, marginal_of
 from plategait.estimate.observations import observe_curves
 from plategait.estimate.posterior import Posterior, estimate_posterior
 from plategait.estimate.unknowns import unknowns
@@ -37,21 +38,21 @@ class Estimate:
     Attributes
     ----------
     posterior : Posterior
-    findings : tuple of Finding
-        One for each parameter; see `Finding.verdict` before using its numbers.
-    check : FitCheck
+    marginals : tuple of Marginal
+        One for each parameter; see `Marginal.verdict` before using its numbers.
+    goodness : Goodness
     confidence : float
         Of the intervals.
     """
 
     posterior: Posterior
-    findings: tuple[Finding, ...]
-    check: FitCheck
+    marginals: tuple[Marginal, ...]
+    goodness: Goodness
     confidence: float
 
-    def __getitem__(self, name: str) -> Finding:
-        """Finding for one parameter by name."""
-        return next(f for f in self.findings if f.parameter.name == name)
+    def __getitem__(self, name: str) -> Marginal:
+        """Marginal posterior of one parameter by name."""
+        return next(m for m in self.marginals if m.parameter.name == name)
 
     @cached_property
     def correlation(self) -> Array:
@@ -61,39 +62,29 @@ class Estimate:
     @property
     def answered(self) -> bool:
         """Whether the data are explained and determine at least one parameter."""
-        return self.check.explained and any(f.verdict == "determined" for f in self.findings)
+        return self.goodness.explained and any(m.determined for m in self.marginals)
 
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`; numbers that the gate withholds are None."""
-        numbers: dict[str, Any] = {}
-        for f in self.findings:
-            scale, shown = f.parameter.scale, f.verdict == "determined"
-            numbers[f.parameter.name] = {
-                "verdict": f.verdict,
-                "unit": f.parameter.unit or None,
-                "median": f.median / scale if shown else None,
-                "sd": f.sd / scale if shown else None,
-                "low": f.low / scale if shown or f.verdict == "at least" else None,
-                "high": f.high / scale if shown or f.verdict == "at most" else None,
-                "sd_over_prior": f.contraction,
-            }
-        names = [f.parameter.name for f in self.findings]
-        check = self.check
+        goodness = self.goodness
         return {
             "method": "posterior",
             "confidence": self.confidence,
-            "parameters": numbers,
-            "correlation": {"between": names, "matrix": self.correlation.tolist()},
-            "explained": check.explained,
-            "complaints": list(check.complaints),
-            "chi2": plain(check.chi2),
-            "freedom": check.freedom,
-            "p": plain(check.p),
-            "noise": plain(check.noise),
-            "outliers_hz": list(check.outliers),
+            "parameters": {m.parameter.name: m.summary() for m in self.marginals},
+            "correlation": {
+                "between": [m.parameter.name for m in self.marginals],
+                "matrix": self.correlation.tolist(),
+            },
+            "explained": goodness.explained,
+            "complaints": list(goodness.complaints),
+            "chi2": plain(goodness.chi2),
+            "freedom": goodness.freedom,
+            "p": plain(goodness.p),
+            "noise": plain(goodness.noise),
+            "outliers_hz": list(goodness.outliers),
             "notes": list(self.posterior.data.notes),
             "points": len(self.posterior.data.which),
-            "runs": int(self.posterior.trials.rates.size),
+            "runs": int(self.posterior.runs.rates.size),
         }
 
     def to_fragment(self) -> Fragment:
@@ -104,25 +95,7 @@ class Estimate:
         InputError
             When they determine nothing that a scenario has.
         """
-        values = self.posterior.values
-        by_name = {f.parameter.name: i for i, f in enumerate(self.findings) if f.verdict == "determined"}
-        columns: dict[str, Array] = {}
-        unknown = self.posterior.unknowns
-        sheet = unknown.base.sheet
-        mass = values[:, by_name["mass"]] if "mass" in by_name else np.ones(len(values))
-        if "mass" in by_name:
-            columns["sheet.mass"] = sheet.mass * mass
-        if "natural_frequency" in by_name:
-            one = unknown.scenario(values[0]).sheet.bending_stiffness / values[0, by_name["natural_frequency"]] ** 2
-            columns["sheet.bending_stiffness"] = one * values[:, by_name["natural_frequency"]] ** 2 * mass / mass[0]
-        if "bending_damping" in by_name:
-            columns["sheet.bending_damping"] = sheet.bending_damping * values[:, by_name["bending_damping"]]
-        if "friction_angle" in by_name:
-            columns["friction.static"] = np.tan(values[:, by_name["friction_angle"]])
-            if "friction_ratio" in by_name:
-                columns["friction.kinetic"] = columns["friction.static"] * values[:, by_name["friction_ratio"]]
-        if "contact_damping" in by_name:
-            columns["contact.damping"] = unknown.base.contact.damping * values[:, by_name["contact_damping"]]
+        columns = self._scenario_values()
         if not columns:
             raise InputError("--out", "nothing that the data determine", "a curve that says more",
                              "plategait estimate CURVE.csv --next")  # fmt: skip
@@ -134,6 +107,29 @@ class Estimate:
         correlation = np.atleast_2d(np.corrcoef(np.stack(list(columns.values()))))
         return Fragment(parameters, correlation, self.confidence, "plategait estimate, posterior of a spin curve")
 
+    def _scenario_values(self) -> dict[str, Array]:
+        """Samples (n,) of the scenario's fields that the determined parameters set, SI, by dotted name."""
+        posterior = self.posterior
+        base = posterior.unknowns.base
+        sampled = {m.parameter.name: posterior.values[:, i] for i, m in enumerate(self.marginals) if m.determined}
+        columns: dict[str, Array] = {}
+        mass = sampled.get("mass", np.ones(len(posterior.u)))
+        if "mass" in sampled:
+            columns["sheet.mass"] = base.sheet.mass * mass
+        if "natural_frequency" in sampled:
+            omega = sampled["natural_frequency"]
+            per_square = posterior.unknowns.scenario(posterior.values[0]).sheet.bending_stiffness / omega[0] ** 2
+            columns["sheet.bending_stiffness"] = per_square * omega**2 * mass / mass[0]
+        if "bending_damping" in sampled:
+            columns["sheet.bending_damping"] = base.sheet.bending_damping * sampled["bending_damping"]
+        if "friction_angle" in sampled:
+            columns["friction.static"] = np.tan(sampled["friction_angle"])
+            if "friction_ratio" in sampled:
+                columns["friction.kinetic"] = columns["friction.static"] * sampled["friction_ratio"]
+        if "contact_damping" in sampled:
+            columns["contact.damping"] = base.contact.damping * sampled["contact_damping"]
+        return columns
+
 
 def estimate_parameters(
     curves: Curve | Path | str | Sequence[Curve | Path | str],
@@ -143,7 +139,7 @@ def estimate_parameters(
     noise: float | None = None,
     friction_ratio: float | None = None,
     free: Sequence[str] = (),
-    known: Sequence[str] = (),
+    fixed: Sequence[str] = (),
     confidence: float = CONFIDENCE,
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
@@ -165,7 +161,7 @@ def estimate_parameters(
         β = μ_k/μ_s where it is known.
     free : sequence of str
         What else is unknown: "mass", "bending_damping", "contact_damping".
-    known : sequence of str
+    fixed : sequence of str
         Parameters that are not sought, since the scenario has them: "natural_frequency", "friction_angle".
     confidence : float
         Of the intervals.
@@ -181,25 +177,36 @@ def estimate_parameters(
     """
     curves = [as_curve(c) for c in ([curves] if isinstance(curves, (Curve, str, Path)) else curves)]
     scenario = as_scenario(scenario)
-    free, known = ([name] if isinstance(name, str) else name for name in (free, known))
-    confidence = _SHARE.read(confidence, "confidence")
-    noise = None if noise is None else _SHARE.read(noise, "noise")
+    free, fixed = ([name] if isinstance(name, str) else name for name in (free, fixed))
+    confidence, noise = _read_confidence(confidence), _read_noise(noise)
     if motions is not None and len(motions) != len(curves):
         raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
                          "[scenario.motion]")  # fmt: skip
+    data = observe_curves(curves, motions or [scenario.motion] * len(curves))
+    parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed)
+    posterior = estimate_posterior(data, parameters, noise=noise, seed=seed, progress=progress)
+    marginals = tuple(marginal_of(p, posterior.u[:, i], confidence) for i, p in enumerate(parameters.parameters))
+    return Estimate(posterior, marginals, goodness_of_fit(posterior), confidence)
+
+
+def _read_confidence(value: float) -> float:
+    confidence = _SHARE.read(value, "confidence")
     if not 0.5 <= confidence < 1:
         raise InputError("confidence", confidence, "at least 0.5 and below 1", "0.9")
-    if noise is not None and not 0.001 <= noise <= 1:
+    return confidence
+
+
+def _read_noise(value: float | None) -> float | None:
+    if value is None:
+        return None
+    noise = _SHARE.read(value, "noise")
+    if not 0.001 <= noise <= 1:
         raise InputError("noise", noise, "at least 0.001 and at most 1 (0.05 for 5 %)", "0.05")
-    data = observe_curves(curves, motions or [scenario.motion] * len(curves))
-    sought = unknowns(scenario, free=free, friction_ratio=friction_ratio, known=known)
-    posterior = estimate_posterior(data, sought, noise=noise, seed=seed, progress=progress)
-    findings = tuple(judge(p, posterior.u[:, i], confidence) for i, p in enumerate(sought.parameters))
-    return Estimate(posterior, findings, check_fit(posterior), confidence)
+    return noise
 
 
 def correlated(estimate: Estimate, least: float = 0.7) -> list[tuple[str, str, float]]:
     """Pairs of parameters whose errors go together, with their correlation."""
-    names, matrix = [f.parameter.name for f in estimate.findings], estimate.correlation
+    names, matrix = [m.parameter.name for m in estimate.marginals], estimate.correlation
     pairs = [(names[i], names[j], float(matrix[i, j])) for i in range(len(names)) for j in range(i)]
     return [pair for pair in pairs if abs(pair[2]) >= least and math.isfinite(pair[2])]

@@ -38,13 +38,13 @@ def simulated_fits(angle_deg: int) -> Array:
 
 def refitted(fits: Array, degree: int) -> dict[str, tuple[tuple[float, ...], float]]:
     """Polynomials of ω_n over f0 and of α over b/f0, each with its residual standard deviation."""
-    found = {}
+    polynomials = {}
     for name, y, x in (("omega", fits[:, 0], fits[:, 2]), ("alpha", fits[:, 1], fits[:, 3])):
         powers = np.polynomial.Polynomial.fit(x, y, degree).convert().coef
         residual = y - np.polynomial.polynomial.polyval(x, powers)
         sd = float(np.sqrt(np.sum(residual**2) / (len(y) - degree - 1)))
-        found[name] = (tuple(map(float, powers)), sd)
-    return found
+        polynomials[name] = (tuple(map(float, powers)), sd)
+    return polynomials
 
 
 def text(methods: dict[str, dict[int, dict[str, tuple[tuple[float, ...], float]]]]) -> str:

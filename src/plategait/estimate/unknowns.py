@@ -1,10 +1,10 @@
-"""What is estimated: parameters with their priors, and the scenario that a set of values makes."""
+"""What is estimated: unknowns with their priors, and the scenario that a set of values makes."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,29 +12,42 @@ from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.model.parameters import SHORTHANDS, value_of, with_values
 from plategait.model.scenario import Scenario
+from plategait.units import Quantity, parse
+
+_FACTOR = Quantity("", "", "1.1", above=0)
 
 
-@dataclass(frozen=True)
-class Parameter:
-    """One unknown with its prior: uniform between two ends, or uniform in the logarithm.
+@dataclass(frozen=True, kw_only=True)
+class Unknown:
+    """One parameter to estimate, with its prior: uniform between two ends, or uniform in the logarithm.
 
     Parameters
     ----------
     name : str
+        A shorthand of `plategait.model.parameters`, or what a factor is laid on.
     low, high : float
         Ends of the prior, SI.
     logarithmic : bool
         Uniform in the logarithm: for what may differ by factors.
-    unit : str
-        Unit that people read it in, and `scale` the SI value of that unit.
+    quantity : Quantity
+        What it measures.
     """
 
     name: str
     low: float
     high: float
     logarithmic: bool = False
-    unit: str = ""
-    scale: float = 1.0
+    quantity: Quantity = _FACTOR
+
+    @property
+    def unit(self) -> str:
+        """Unit that people read it in."""
+        return self.quantity.display.replace("pi", "π")
+
+    @property
+    def scale(self) -> float:
+        """SI value of that unit."""
+        return parse(f"1 {self.quantity.display}", self.quantity.unit)
 
     def value(self, u: Array | float) -> Array:
         """SI value at the share `u` (0 to 1) of the prior."""
@@ -49,17 +62,25 @@ class Parameter:
         return (value - self.low) / (self.high - self.low)
 
 
-NATURAL_FREQUENCY = Parameter("natural_frequency", 0.8 * math.pi, 45 * math.pi, True, "π rad/s", math.pi)
+NATURAL_FREQUENCY = Unknown(
+    name="natural_frequency",
+    low=0.8 * math.pi,
+    high=45 * math.pi,
+    logarithmic=True,
+    quantity=replace(SHORTHANDS["natural_frequency"], display="pi rad/s"),
+)
 """ω_n, set by scaling k_b. The source's objects lie between 1.4π and 33π."""
-FRICTION_ANGLE = Parameter("friction_angle", math.radians(10), math.radians(70), False, "deg", math.radians(1))
+FRICTION_ANGLE = Unknown(
+    name="friction_angle", low=math.radians(10), high=math.radians(70), quantity=SHORTHANDS["friction_angle"]
+)
 """α = atan μ_s."""
-FRICTION_RATIO = Parameter("friction_ratio", 0.2, 1.0)
+FRICTION_RATIO = Unknown(name="friction_ratio", low=0.2, high=1.0, quantity=SHORTHANDS["friction_ratio"])
 """β = μ_k/μ_s."""
-MASS = Parameter("mass", 0.8, 1.25, True)
+MASS = Unknown(name="mass", low=0.8, high=1.25, logarithmic=True)
 """Factor on the mass told."""
-BENDING_DAMPING = Parameter("bending_damping", 0.1, 10.0, True)
+BENDING_DAMPING = Unknown(name="bending_damping", low=0.1, high=10.0, logarithmic=True)
 """Factor on the bending damping told."""
-CONTACT_DAMPING = Parameter("contact_damping", 0.3, 3.0, True)
+CONTACT_DAMPING = Unknown(name="contact_damping", low=0.3, high=3.0, logarithmic=True)
 """Factor on the contact damping told."""
 
 ALWAYS = (NATURAL_FREQUENCY, FRICTION_ANGLE, FRICTION_RATIO)
@@ -80,11 +101,11 @@ class Unknowns:
     ----------
     base : Scenario
         The object and the plate as told; its natural frequency and friction count only where they are not unknown.
-    parameters : tuple of Parameter
+    parameters : tuple of Unknown
     """
 
     base: Scenario
-    parameters: tuple[Parameter, ...]
+    parameters: tuple[Unknown, ...]
 
     @property
     def names(self) -> list[str]:
@@ -97,16 +118,14 @@ class Unknowns:
 
     def scenario(self, values: Sequence[float] | Array) -> Scenario:
         """Scenario with the unknowns at SI values (d,)."""
-        given = dict(zip(self.names, map(float, values), strict=True))
-        made = with_values(self.base, {name: value for name, value in given.items() if name in SHORTHANDS})
-        factors = {name: factor for name, factor in given.items() if name in _SCALED}
-        return with_values(
-            made, {field: value_of(made, field) * by for name, by in factors.items() for field in _SCALED[name]}
-        )
+        by_name = dict(zip(self.names, map(float, values), strict=True))
+        base = with_values(self.base, {name: value for name, value in by_name.items() if name in SHORTHANDS})
+        factors = {field: by for name, by in by_name.items() for field in _SCALED.get(name, ())}
+        return with_values(base, {field: value_of(base, field) * by for field, by in factors.items()})
 
 
 def unknowns(
-    base: Scenario, *, free: Sequence[str] = (), friction_ratio: float | None = None, known: Sequence[str] = ()
+    base: Scenario, *, free: Sequence[str] = (), friction_ratio: float | None = None, fixed: Sequence[str] = ()
 ) -> Unknowns:
     """Choose what to estimate.
 
@@ -117,7 +136,7 @@ def unknowns(
         Of "mass", "bending_damping", "contact_damping": estimated as well.
     friction_ratio : float, optional
         β, where it is known.
-    known : sequence of str
+    fixed : sequence of str
         Parameters that the scenario holds already.
 
     Raises
@@ -125,16 +144,16 @@ def unknowns(
     InputError
         For a name that is none of these.
     """
-    by_name = {p.name: p for p in (*ALWAYS, *ON_REQUEST)}
-    for name in (*free, *known):
-        if name not in by_name:
+    names = [p.name for p in (*ALWAYS, *ON_REQUEST)]
+    for name in (*free, *fixed):
+        if name not in names:
             raise InputError("--free", name, f"one of {', '.join(p.name for p in ON_REQUEST)}", "mass")
     if friction_ratio is not None:
         if not 0 < friction_ratio <= 1:
             raise InputError("friction_ratio", friction_ratio, "above 0 and at most 1", "0.53")
         base = with_values(base, {"friction_ratio": friction_ratio})
-        known = [*known, "friction_ratio"]
-    chosen = [p for p in ALWAYS if p.name not in known] + [p for p in ON_REQUEST if p.name in free]
-    if not chosen:
-        raise InputError("known", ", ".join(known), "fewer than all parameters", "friction_ratio")
-    return Unknowns(base, tuple(chosen))
+        fixed = [*fixed, "friction_ratio"]
+    parameters = [p for p in ALWAYS if p.name not in fixed] + [p for p in ON_REQUEST if p.name in free]
+    if not parameters:
+        raise InputError("fixed", ", ".join(fixed), "fewer than all parameters", "friction_ratio")
+    return Unknowns(base, tuple(parameters))

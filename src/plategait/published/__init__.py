@@ -58,14 +58,14 @@ class PublishedCurve:
     @property
     def f0_hz(self) -> float:
         """Frequency of the peak, Hz."""
-        known = regression(self.angle_deg)
-        return (self.omega_estimate_pi - known["q1"].value) / known["p1"].value
+        coefficients = regression(self.angle_deg)
+        return (self.omega_estimate_pi - coefficients["q1"].value) / coefficients["p1"].value
 
     @property
     def b_over_f0(self) -> float:
         """Half width at half maximum over the frequency of the peak."""
-        known = regression(self.angle_deg)
-        return (self.alpha_estimate_deg - known["q2"].value) / known["p2"].value
+        coefficients = regression(self.angle_deg)
+        return (self.alpha_estimate_deg - coefficients["q2"].value) / coefficients["p2"].value
 
     @property
     def half_width_hz(self) -> float:

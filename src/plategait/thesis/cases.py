@@ -47,7 +47,7 @@ class Case:
         Friction angle; of the cheese only.
     variant : str
         Modelling choice that departs from the presets, by its name in `VARIANTS`.
-    thing : str
+    preset : str
         Preset that is shaken.
     """
 
@@ -55,7 +55,7 @@ class Case:
     omega_pi: float = 10.0
     alpha_deg: float = REFERENCE_ALPHA
     variant: str = ""
-    thing: str = "cheese"
+    preset: str = "cheese"
 
     def but(self, variant: str) -> Case:
         """Same curve with one modelling choice changed."""
@@ -64,7 +64,7 @@ class Case:
     @property
     def frequencies(self) -> tuple[float, ...]:
         """Plate frequencies, Hz."""
-        if self.thing != "cheese":
+        if self.preset != "cheese":
             return (7.0,)
         if any((c.angle_deg, c.omega_pi) == (self.angle_deg, self.omega_pi) for c in published.curves()):
             if self.angle_deg == 3:
@@ -84,21 +84,21 @@ class Case:
             "transient": REGENERATED.transient,
             "slip_limit": REGENERATED.slip_limit,
         }
-        if self.thing == "cheese":
+        if self.preset == "cheese":
             changes |= {
                 "natural_frequency": self.omega_pi * math.pi,
                 "friction_angle": math.radians(self.alpha_deg),
                 "friction_ratio": 1.0 if self.variant == "one friction" else FRICTION_RATIO,
             }
         nominal = None if self.variant == "dish mode" else NOMINAL_NATURAL_FREQUENCY
-        chosen = with_values(preset(self.thing).scenario, changes, nominal)
-        return with_values(chosen, _departures(self.variant, chosen)) if self.variant else chosen
+        base = with_values(preset(self.preset).scenario, changes, nominal)
+        return with_values(base, _departures(self.variant, base)) if self.variant else base
 
     @property
     def label(self) -> str:
         """Name of the curve in words."""
-        if self.thing != "cheese":
-            return f"{self.thing}, A_p = {self.angle_deg:g} deg"
+        if self.preset != "cheese":
+            return f"{self.preset}, A_p = {self.angle_deg:g} deg"
         name = f"A_p = {self.angle_deg:g} deg, ω_n = {self.omega_pi:g}π rad/s, α = {self.alpha_deg:g} deg"
         return f"{name}, {self.variant}" if self.variant else name
 
@@ -155,3 +155,8 @@ def fitted_cases() -> list[Case]:
 def reference_cases() -> list[Case]:
     """Cases among them at the reference friction angle."""
     return [case for case in fitted_cases() if case.alpha_deg == REFERENCE_ALPHA]
+
+
+def with_half_step() -> list[Case]:
+    """Fitted cases, and the reference ones again at half the time step."""
+    return fitted_cases() + [case.but("half step") for case in reference_cases()]

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from plategait.arrays import Array
 from plategait.plots.style import mark
 from plategait.thesis.regressions import Regression
 from plategait.thesis.runs import CaseRuns
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
 
 GAIT_MARKERS = {"sliding": "s", "walking": "^", "running": "o", "": "D"}
 COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#7F7F7F", "#000000")
+FREQUENCY = "plate frequency $f_p$ (Hz)"
+ACCELERATION = "$A_p \\omega_p^2$ ($10^4$ deg/s²)"
+RATE = "spin rate $\\omega_B$ (deg/s)"
 PUBLISHED = {"color": "black", "ls": "none", "marker": "x", "ms": 5, "mew": 1.2, "label": "published"}
 
 
@@ -44,27 +48,31 @@ def curve(axes: Axes, runs: CaseRuns, x: ArrayLike, colour: ColorType, label: st
 
     Half-filled marks are of points at which some starts failed.
     """
-    shown, kept = runs.curve, runs.curve.fitted
     x = np.asarray(x, dtype=float)
+    fitted, rate = runs.curve.fitted, runs.curve.spin_rate_deg_s
     axes.plot(
-        x[kept],
-        shown.spin_rate_deg_s[kept],
+        x[fitted],
+        rate[fitted],
         color=colour,
         lw=0.8 if fit else 1.2,
         ls=":" if fit else "-",
         label=None if fit else label,
     )
+    _mark_gaits(axes, runs, x, colour)
+    if fit and runs.fit is not None and fitted.any():
+        grid = np.linspace(runs.fit_from, x[fitted].max() + 2, 200)
+        axes.plot(grid, runs.fit(grid), color=colour, lw=1.2, label=label)
+
+
+def _mark_gaits(axes: Axes, runs: CaseRuns, x: Array, colour: ColorType) -> None:
+    curve = runs.curve
+    rate, sd = curve.spin_rate_deg_s, np.nan_to_num(curve.spin_rate_sd_deg_s)
     for gait, marker in GAIT_MARKERS.items():
         for in_part in (False, True):
-            here = kept & (np.array(shown.gait) == gait) & (shown.partly_failed == in_part)
-            if here.any():
-                sd, style = np.nan_to_num(shown.spin_rate_sd_deg_s[here]), mark(colour, in_part)
-                axes.errorbar(
-                    x[here], shown.spin_rate_deg_s[here], sd, fmt=marker, ms=3.5, color=colour, lw=0.8, **style
-                )
-    if fit and runs.fit is not None and kept.any():
-        grid = np.linspace(runs.fit_from, x[kept].max() + 2, 200)
-        axes.plot(grid, runs.fit(grid), color=colour, lw=1.2, label=label)
+            at = curve.fitted & (np.array(curve.gait) == gait) & (curve.partly_failed == in_part)
+            if at.any():
+                style = mark(colour, in_part)
+                axes.errorbar(x[at], rate[at], sd[at], fmt=marker, ms=3.5, color=colour, lw=0.8, **style)
 
 
 def gait_legend(axes: Axes) -> None:
@@ -74,13 +82,13 @@ def gait_legend(axes: Axes) -> None:
     axes.plot([], [], "s", ls="", ms=4, label="some starts failed", **mark("#7F7F7F", True))
 
 
-def scatter(
-    axes: Axes, x: NDArray[np.float64], y: NDArray[np.float64], groups: Sequence[float], unit: str = ""
-) -> None:
+def scatter(axes: Axes, x: Array, y: Array, groups: Sequence[float], unit: str = "") -> None:
     """Points joined within each group."""
     for i, group in enumerate(sorted(set(groups))):
-        here = np.array([g == group for g in groups])
-        axes.plot(x[here], y[here], "o-", color=COLOURS[i % len(COLOURS)], lw=0.7, ms=3.5, label=f"{group:g}{unit}")
+        members = np.array([g == group for g in groups])
+        axes.plot(
+            x[members], y[members], "o-", color=COLOURS[i % len(COLOURS)], lw=0.7, ms=3.5, label=f"{group:g}{unit}"
+        )
 
 
 def line(axes: Axes, regression: Regression, x: ArrayLike, band: bool = False) -> None:

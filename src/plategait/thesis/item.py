@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from plategait.files.plain import plain
 from plategait.published import Number
 from plategait.thesis.cases import Case
 from plategait.thesis.runs import Results
@@ -63,6 +64,19 @@ class Comparison:
         """Whether the deviation is within what is allowed."""
         return math.isfinite(self.deviation) and abs(self.deviation) <= self.allowed
 
+    def summary(self) -> dict[str, Any]:
+        """Plain numbers for `--json`."""
+        return {
+            "quantity": self.quantity,
+            "published": self.published.value,
+            "where": self.published.where,
+            "measured": plain(self.measured),
+            "deviation": plain(self.deviation),
+            "spread": plain(self.spread),
+            "half_step": plain(self.half_step),
+            "holds": bool(self.holds),
+        }
+
 
 @dataclass(frozen=True)
 class Check:
@@ -72,6 +86,10 @@ class Check:
     target: str
     measured: str
     holds: bool
+
+    def summary(self) -> dict[str, Any]:
+        """Plain numbers for `--json`."""
+        return {"what": self.what, "target": self.target, "measured": self.measured, "holds": bool(self.holds)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,6 +123,17 @@ class Item:
         """Whether every comparison and check holds."""
         return all(x.holds for x in (*self.comparisons, *self.checks))
 
+    def summary(self) -> dict[str, Any]:
+        """Plain numbers for `--json`."""
+        return {
+            "name": self.name,
+            "title": self.title,
+            "verdict": self.verdict,
+            "reproduced": self.reproduced,
+            "comparisons": [c.summary() for c in self.comparisons],
+            "checks": [c.summary() for c in self.checks],
+        }
+
 
 @dataclass(frozen=True)
 class Spec:
@@ -114,6 +143,28 @@ class Spec:
     title: str
     make: Callable[[Spec, Results], Item]
     cases: Callable[[], Sequence[Case]] = field(default=list)
+
+    def item(
+        self,
+        *,
+        figures: Sequence[tuple[str, Figure | bytes]] = (),
+        tables: Sequence[Table] = (),
+        comparisons: Sequence[Comparison] = (),
+        checks: Sequence[Check] = (),
+        notes: Sequence[str] = (),
+        remark: str = "",
+    ) -> Item:
+        """Item of this name, its verdict read off its comparisons and checks; see `Item` and `verdict`."""
+        return Item(
+            name=self.name,
+            title=self.title,
+            verdict=verdict(comparisons, checks, remark),
+            figures=tuple(figures),
+            tables=tuple(tables),
+            comparisons=tuple(comparisons),
+            checks=tuple(checks),
+            notes=tuple(notes),
+        )
 
 
 def verdict(comparisons: Sequence[Comparison] = (), checks: Sequence[Check] = (), remark: str = "") -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 
 
@@ -35,11 +36,11 @@ class Regression:
     sum_squares: float
     residual_variance: float
 
-    def __call__(self, x: ArrayLike) -> NDArray[np.float64]:
+    def __call__(self, x: ArrayLike) -> Array:
         """Height of the line at `x`."""
         return self.slope * np.asarray(x, dtype=float) + self.intercept
 
-    def band(self, x: ArrayLike, confidence: float = 0.95) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def band(self, x: ArrayLike, confidence: float = 0.95) -> tuple[Array, Array]:
         """Interval of the line itself at `x` (dashed in Figs. 5.11 and 5.12)."""
         from scipy.special import stdtrit
 
@@ -76,8 +77,8 @@ def regress(x: ArrayLike, y: ArrayLike) -> Regression:
         For fewer than three pairs, or x all alike.
     """
     x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
-    known = np.isfinite(x) & np.isfinite(y)
-    x, y = x[known], y[known]
+    finite = np.isfinite(x) & np.isfinite(y)
+    x, y = x[finite], y[finite]
     if len(x) < 3 or np.ptp(x) == 0:
         raise InputError("points", f"{len(x)} pairs", "3 or more pairs at different x", "more curves")
     mean_x, mean_y = float(x.mean()), float(y.mean())

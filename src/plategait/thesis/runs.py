@@ -14,6 +14,7 @@ from plategait.curve.curve import Curve
 from plategait.curve.quick_lorentz import Shape, fit_shape
 from plategait.curve.spin_curve import curve_of
 from plategait.simulation.observation import Observation, observe
+from plategait.simulation.result import Simulation
 from plategait.simulation.run import simulate_all
 from plategait.thesis.cases import FIT_FROM, Case, fitted_cases
 
@@ -57,14 +58,14 @@ class CaseRuns:
 
     def refit(self, fit_from: float, strict: bool = False) -> Shape | None:
         """Fit made otherwise: from another frequency, or with the source's own limit of drift."""
-        shown = curve_of(self.case.label, self.case.frequencies, self.strict) if strict else self.curve
-        return _fit(shown, fit_from)
+        curve = curve_of(self.case.label, self.case.frequencies, self.strict) if strict else self.curve
+        return _fit(curve, fit_from)
 
     @cached_property
     def member_fits(self) -> tuple[Shape | None, ...]:
         """Fit of each start by itself: how far chaos carries the numbers."""
-        alone = ([(o[m],) for o in self.observations] for m in range(len(self.observations[0])))
-        curves = (curve_of(self.case.label, self.case.frequencies, each) for each in alone)
+        members = ([(o[m],) for o in self.observations] for m in range(len(self.observations[0])))
+        curves = (curve_of(self.case.label, self.case.frequencies, member) for member in members)
         return tuple(_fit(curve, self.fit_from) for curve in curves)
 
     def member_spread(self, name: str) -> float:
@@ -82,6 +83,21 @@ class CaseRuns:
         return self.case.angle_deg * (math.tau * np.array(self.case.frequencies)) ** 2 / 1e4
 
     @property
+    def best_frequency(self) -> float:
+        """Plate frequency of the highest rate below the run-off, Hz; NaN where nothing stays on the plate."""
+        return float(self.curve.frequency_hz[self.best]) if self.best >= 0 else math.nan
+
+    @property
+    def best_rate(self) -> float:
+        """Highest rate below the run-off, deg/s; NaN where nothing stays on the plate."""
+        return float(self.curve.spin_rate_deg_s[self.best]) if self.best >= 0 else math.nan
+
+    @property
+    def best_sd(self) -> float:
+        """Spread of that rate over the starts, deg/s."""
+        return float(self.curve.spin_rate_sd_deg_s[self.best]) if self.best >= 0 else math.nan
+
+    @property
     def best(self) -> int:
         """Index of the highest rate below the run-off, -1 where nothing stays on the plate."""
         rates = np.where(self.curve.fitted, self.curve.spin_rate_deg_s, -math.inf)
@@ -94,8 +110,8 @@ def value_of(fit: Shape | None, name: str) -> float:
 
 
 def _fit(curve: Curve, fit_from: float) -> Shape | None:
-    kept = curve.fitted & (curve.frequency_hz >= fit_from)
-    return fit_shape(curve.frequency_hz[kept], curve.spin_rate_deg_s[kept], ends_in_failure=curve.ends_in_failure)
+    used = curve.fitted & (curve.frequency_hz >= fit_from)
+    return fit_shape(curve.frequency_hz[used], curve.spin_rate_deg_s[used], ends_in_failure=curve.ends_in_failure)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,31 +150,39 @@ def run_cases(
     progress : callable, optional
         Called with the fraction done.
     """
-    wanted = sorted(set(cases))
-    total = sum(_cost(case, repeats) for case in wanted) or 1.0
-    refitted = set(fitted_cases())
+    distinct = sorted(set(cases))
+    total = sum(_cost(case, repeats) for case in distinct) or 1.0
     runs: dict[Case, CaseRuns] = {}
     simulated = done = 0.0
-    for batch in _batches(wanted, repeats):
-        each = _repeats(batch[0], repeats)
-        scenarios = [
-            case.scenario.replace(**{"motion.frequency": float(f)}) for case in batch for f in case.frequencies
-        ]
+    for batch in _batches(distinct, repeats):
         share = sum(_cost(case, repeats) for case in batch) / total
         report = None if progress is None else (lambda x, d=done, s=share, p=progress: p(d + s * x))
-        simulations = iter(simulate_all(scenarios, repeats=each, seed=seed, progress=report))
-        for case in batch:
-            own = [next(simulations) for _ in case.frequencies]
-            simulated += sum(s.simulated for s in own)
-            strict = tuple(
-                tuple(observe(s.scenario.replace(slip_limit=STRICT_SLIP_LIMIT), r) for r in s.recordings)
-                if case in refitted
-                else s.observations
-                for s in own
-            )
-            runs[case] = CaseRuns(case, tuple(s.observations for s in own), strict)
+        for case, simulations in _run_batch(batch, _repeats(batch[0], repeats), seed, report):
+            simulated += sum(s.simulated for s in simulations)
+            runs[case] = _gather(case, simulations)
         done += share
     return Results(runs, repeats, simulated)
+
+
+def _run_batch(
+    batch: list[Case], repeats: int, seed: int, progress: Callable[[float], object] | None
+) -> Iterable[tuple[Case, list[Simulation]]]:
+    """Simulations of each case by frequency, all run together."""
+    scenarios = [case.scenario.replace(**{"motion.frequency": float(f)}) for case in batch for f in case.frequencies]
+    simulations = iter(simulate_all(scenarios, repeats=repeats, seed=seed, progress=progress))
+    for case in batch:
+        yield case, [next(simulations) for _ in case.frequencies]
+
+
+def _gather(case: Case, simulations: list[Simulation]) -> CaseRuns:
+    """What the runs of a case show; of a fitted one also with the source's own limit of drift."""
+    observations = tuple(s.observations for s in simulations)
+    if case not in fitted_cases():
+        return CaseRuns(case, observations, observations)
+    strict = tuple(
+        tuple(observe(s.scenario.replace(slip_limit=STRICT_SLIP_LIMIT), r) for r in s.recordings) for s in simulations
+    )
+    return CaseRuns(case, observations, strict)
 
 
 def _repeats(case: Case, repeats: int) -> int:
@@ -171,9 +195,9 @@ def _cost(case: Case, repeats: int) -> float:
 
 def _batches(cases: list[Case], repeats: int) -> Iterable[list[Case]]:
     """Cases of the same number of starts, at most `BATCH` runs together."""
-    for each in sorted({_repeats(case, repeats) for case in cases}):
+    for starts in sorted({_repeats(case, repeats) for case in cases}):
         batch: list[Case] = []
-        for case in (c for c in cases if _repeats(c, repeats) == each):
+        for case in (c for c in cases if _repeats(c, repeats) == starts):
             if batch and sum(_cost(c, repeats) for c in batch) + _cost(case, repeats) > BATCH:
                 yield batch
                 batch = []

@@ -9,10 +9,23 @@ from dataclasses import dataclass
 from typing import Any
 
 from plategait.errors import InputError
-from plategait.files.plain import plain
-from plategait.thesis.cases import GAIT_ANGLES, Case, fitted_cases, reference_cases
+from plategait.thesis.cases import GAIT_ANGLES, Case, fitted_cases, reference_cases, with_half_step
 from plategait.thesis.item import Item, Spec
-from plategait.thesis.items import chapter2, chapter4, chapter5, choices, friction, snapshots, tables, targets, trends
+from plategait.thesis.items import (
+    acceleration,
+    choices,
+    estimates,
+    friction,
+    gaits,
+    lorentz,
+    pressure,
+    snapshots,
+    softness,
+    spin_curves,
+    tables,
+    targets,
+    trends,
+)
 from plategait.thesis.runs import run_cases
 
 
@@ -21,7 +34,7 @@ def _by_amplitude_and_stiffness() -> list[Case]:
 
 
 def _examples() -> list[Case]:
-    return [case for case in chapter5.with_half_step() if case.angle_deg == 3]
+    return [case for case in with_half_step() if case.angle_deg == 3]
 
 
 def _at_3_deg() -> list[Case]:
@@ -34,40 +47,40 @@ def _at_12_deg() -> list[Case]:
 
 _SPECS = (
     Spec("targets", "Targets against what was measured", targets.targets, targets.target_cases),
-    Spec("fig2.6", "Pressure and friction under the object", chapter2.fig_2_6),
-    Spec("fig2.11", "Spin rate of a soft and a rigid object over A_p", chapter2.fig_2_11, chapter2.pancake_cases),
+    Spec("fig2.6", "Pressure and friction under the object", pressure.fig_2_6),
+    Spec("fig2.11", "Spin rate of a soft and a rigid object over A_p", softness.fig_2_11, softness.pancake_cases),
     Spec("table4.1", "Parameters of the object", tables.table_4_1),
     Spec("fig4.3", "Snapshots at 12 Hz and 12 deg", snapshots.fig_4_3, lambda: [Case(12)]),
     Spec(
         "fig4.4",
         "Spin rate and gait over ω_p/ω_n at A_p = 12 deg",
-        chapter4.fig_4_4,
+        gaits.fig_4_4,
         lambda: [Case(12), Case(12).but("half step")],
     ),
     Spec("fig4.5", "The gaits", snapshots.fig_4_5, lambda: [Case(12)]),
-    Spec("fig4.6", "Spin rate over frequency by A_p", chapter4.fig_4_6, lambda: [Case(a) for a in GAIT_ANGLES]),
-    Spec("fig4.7", "Best acceleration of eight objects", chapter4.fig_4_7, chapter4.stiffness_cases),
+    Spec("fig4.6", "Spin rate over frequency by A_p", gaits.fig_4_6, lambda: [Case(a) for a in GAIT_ANGLES]),
+    Spec("fig4.7", "Best acceleration of eight objects", acceleration.fig_4_7, acceleration.stiffness_cases),
     Spec("fig4.8", "Best friction angle of each gait", friction.fig_4_8, friction.friction_cases),
-    Spec("fig5.2", "Spin curves by A_p and by ω_n", chapter5.fig_5_2, _by_amplitude_and_stiffness),
-    Spec("fig5.3", "Lorentz distribution", chapter5.fig_5_3),
-    Spec("fig5.4", "Three spin curves with their fits", chapter5.fig_5_4, _examples),
-    Spec("fig5.5", "The 44 spin curves", chapter5.fig_5_5, chapter5.with_half_step),
+    Spec("fig5.2", "Spin curves by A_p and by ω_n", spin_curves.fig_5_2, _by_amplitude_and_stiffness),
+    Spec("fig5.3", "Lorentz distribution", lorentz.fig_5_3),
+    Spec("fig5.4", "Three spin curves with their fits", lorentz.fig_5_4, _examples),
+    Spec("fig5.5", "The 44 spin curves", spin_curves.fig_5_5, with_half_step),
     Spec("fig5.6", "ω_Br max against ω_n", trends.fig_regression, fitted_cases),
     Spec("fig5.7", "ω_n against f0, (5.6)", trends.fig_regression, fitted_cases),
     Spec("fig5.8", "α against b", trends.fig_regression, fitted_cases),
     Spec("fig5.9", "α against b/f0, (5.7)", trends.fig_regression, fitted_cases),
     Spec("fig5.10", "b/f0 against the damping of the joints", trends.fig_5_10, trends.damping_cases),
-    Spec("fig5.11", "Estimated against real ω_n", tables.fig_estimates, fitted_cases),
-    Spec("fig5.12", "Estimated against real α", tables.fig_estimates, fitted_cases),
+    Spec("fig5.11", "Estimated against real ω_n", estimates.fig_estimates, fitted_cases),
+    Spec("fig5.12", "Estimated against real α", estimates.fig_estimates, fitted_cases),
     *(
         Spec(f"table5.{i}", f"Estimates, Table 5.{i}", tables.table_estimates, _at_3_deg if i < 5 else _at_12_deg)
         for i in range(1, 9)
     ),
-    Spec("table5.9", "Bending and rotation frequency", tables.table_5_9, chapter5.with_half_step),
+    Spec("table5.9", "Bending and rotation frequency", tables.table_5_9, with_half_step),
     Spec("fig5.15", "Bending and rotation frequency at A_p = 3 deg", trends.fig_5_15, _at_3_deg),
     Spec("tableA.1", "R² of the fits at A_p = 3 deg", tables.table_a, _at_3_deg),
     Spec("tableA.2", "R² of the fits at A_p = 12 deg", tables.table_a, _at_12_deg),
-    Spec("appendixB", "t-tests of slope and intercept, Tables B.1 and B.2", tables.appendix_b, fitted_cases),
+    Spec("appendixB", "t-tests of slope and intercept, Tables B.1 and B.2", estimates.appendix_b, fitted_cases),
     Spec("choices", "Modelling choices that the source leaves open", choices.choices, choices.choice_cases),
 )
 
@@ -105,32 +118,7 @@ class Study:
             "wall_s": self.wall,
             "repeats": self.repeats,
             "seed": self.seed,
-            "items": [
-                {
-                    "name": item.name,
-                    "title": item.title,
-                    "verdict": item.verdict,
-                    "reproduced": item.reproduced,
-                    "comparisons": [
-                        {
-                            "quantity": c.quantity,
-                            "published": c.published.value,
-                            "where": c.published.where,
-                            "measured": plain(c.measured),
-                            "deviation": plain(c.deviation),
-                            "spread": plain(c.spread),
-                            "half_step": plain(c.half_step),
-                            "holds": bool(c.holds),
-                        }
-                        for c in item.comparisons
-                    ],
-                    "checks": [
-                        {"what": c.what, "target": c.target, "measured": c.measured, "holds": bool(c.holds)}
-                        for c in item.checks
-                    ],
-                }
-                for item in self.items
-            ],
+            "items": [item.summary() for item in self.items],
         }
 
 
@@ -160,8 +148,8 @@ def reproduce(
         For an unknown name.
     """
     begun = time.perf_counter()
-    chosen = NAMES if names is None else {known_name(name) for name in names}
-    specs = [spec for spec in _SPECS if spec.name in chosen]
+    wanted = NAMES if names is None else {item_name(name) for name in names}
+    specs = [spec for spec in _SPECS if spec.name in wanted]
     cases = {case for spec in specs for case in spec.cases()}
     results = run_cases(cases, repeats=repeats, seed=seed, progress=progress)
     items = tuple(spec.make(spec, results) for spec in specs)
@@ -173,7 +161,7 @@ def simulates(names: Sequence[str]) -> bool:
     return any(spec.name in names and spec.cases() for spec in _SPECS)
 
 
-def known_name(name: str) -> str:
+def item_name(name: str) -> str:
     """Name of an item as `NAMES` has it, whatever its case.
 
     Raises

@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plategait import published
+from plategait.arrays import Array
 from plategait.simulation.observables import GAITS
 from plategait.thesis import draw
 from plategait.thesis.cases import FRICTION_ANGLES, REFERENCE_ALPHA, Case
-from plategait.thesis.item import Check, Comparison, Item, Spec, Table, verdict
+from plategait.thesis.item import Cell, Check, Comparison, Item, Spec, Table
 from plategait.thesis.runs import CaseRuns, Results
 
-_RATE = "spin rate $\\omega_B$ (deg/s)"
-_ACCELERATION = "$A_p \\omega_p^2$ ($10^4$ deg/s²)"
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 
 def friction_cases() -> list[Case]:
@@ -35,74 +40,139 @@ def best_friction(alphas: NDArray[np.float64], rates: NDArray[np.float64]) -> fl
     return float(-slope / (2 * curvature)) if curvature < 0 else float(alphas[top])
 
 
+@dataclass(frozen=True, eq=False)
+class _FrictionMap:
+    """Spin rate over acceleration and friction angle.
+
+    Attributes
+    ----------
+    runs : tuple of CaseRuns
+        By friction angle, all at the same frequencies.
+    """
+
+    runs: tuple[CaseRuns, ...]
+
+    @cached_property
+    def alphas(self) -> Array:
+        """Friction angles (a,), deg."""
+        return np.array([r.case.alpha_deg for r in self.runs])
+
+    @property
+    def acceleration(self) -> Array:
+        """A_p ω_p² (x,), 10⁴ deg/s²."""
+        return self.runs[0].acceleration
+
+    @cached_property
+    def rate(self) -> Array:
+        """Spin rates (a, x), deg/s; NaN from the run-off on."""
+        return np.array([np.where(r.curve.fitted, r.curve.spin_rate_deg_s, np.nan) for r in self.runs])
+
+    @cached_property
+    def gait(self) -> NDArray[np.str_]:
+        """Gaits (a, x)."""
+        return np.array([r.curve.gait for r in self.runs])
+
+    @cached_property
+    def best(self) -> Array:
+        """Best friction angle (x,) at each acceleration, deg; NaN where too few sheets stay to tell."""
+        enough = np.isfinite(self.rate).mean(axis=0) >= 0.5
+        best = np.array([best_friction(self.alphas, column) for column in self.rate.T])
+        best[~enough] = np.nan
+        return best
+
+    def best_in(self, gait: str) -> Array:
+        """Best friction angles at the accelerations at which the reference sheet shows a gait."""
+        reference = list(self.alphas).index(REFERENCE_ALPHA)
+        at_gait = (self.gait[reference] == gait) & np.isfinite(self.best)
+        return self.best[at_gait & (np.nan_to_num(self.rate[reference]) > 20)]
+
+
+def _friction_map(results: Results) -> _FrictionMap:
+    return _FrictionMap(tuple(results[case] for case in friction_cases()))
+
+
 def fig_4_8(spec: Spec, results: Results) -> Item:
     """Rate over acceleration and friction angle, and the best friction angle of each gait."""
+    friction = _friction_map(results)
+    columns = ("α (deg)", "A_p ω_p² (10⁴ deg/s²)", "ω_B (deg/s)", "gait")
+    return spec.item(
+        figures=[(spec.name, _draw_map(friction))],
+        tables=[Table(spec.name, columns, _map_rows(friction))],
+        comparisons=gait_comparisons(results),
+        checks=[_judge_order(friction)],
+        notes=[
+            *(
+                f"At A_p = 3 deg and 10π no sheet stays on the plate while {gait}: it runs off first."
+                for gait in GAITS
+                if not friction.best_in(gait).size
+            ),
+            "The same three regimes appear, in the same order, but one gait early: with 3 deg of tilt our sheet bends "
+            "a good deal before a leg leaves the plate, so that what the source sees while walking we see while "
+            "sliding, and what it sees while running, while walking.",
+            "The spread is over the accelerations of the gait.",
+        ],
+    )
+
+
+def _map_rows(friction: _FrictionMap) -> tuple[tuple[Cell, ...], ...]:
+    return tuple(
+        (float(alpha), float(x), float(rate), str(gait))
+        for alpha, rates, gaits in zip(friction.alphas, friction.rate, friction.gait, strict=True)
+        for x, rate, gait in zip(friction.acceleration, rates, gaits, strict=True)
+    )
+
+
+def _draw_map(friction: _FrictionMap) -> Figure:
+    figure, (left, right) = draw.panels(2)
+    _draw_curves(left, friction)
+    _draw_contours(right, friction)
+    return figure
+
+
+def _draw_curves(axes: Axes, friction: _FrictionMap) -> None:
     from matplotlib import colormaps
 
-    cases = friction_cases()
-    alphas = np.array([c.alpha_deg for c in cases])
-    acceleration = results[cases[0]].acceleration
-    rate = np.array([np.where(_stays(results[c]), results[c].curve.spin_rate_deg_s, np.nan) for c in cases])
-    gaits = np.array([results[c].curve.gait for c in cases])
-    figure, (left, right) = draw.panels(2)
     shade = colormaps["viridis"]
-    for i, case in enumerate(cases):
-        draw.curve(left, results[case], acceleration, shade(i / len(cases)), f"{case.alpha_deg:g}")
-    left.legend(frameon=False, fontsize=6.5, title="α (deg)", title_fontsize=7, ncols=2)
-    draw.plain(left, _ACCELERATION, _RATE, "(a)")
-    shares = right.contour(acceleration, alphas, rate / np.nanmax(rate), levels=np.arange(0.1, 1.0, 0.1))
-    right.clabel(shares, fontsize=7)
-    # Where few sheets stay, the best of them says nothing.
-    enough = np.isfinite(rate).mean(axis=0) >= 0.5
-    best = np.array([best_friction(alphas, column) for column in rate.T])
-    best[~enough] = np.nan
-    right.plot(acceleration, best, "o-", color="black", ms=3, label="best α")
-    right.legend(frameon=False, fontsize=8)
-    draw.plain(right, _ACCELERATION, "friction angle α (deg)", "(b) ω_B over its best")
-    reference = list(alphas).index(REFERENCE_ALPHA)
-    comparisons: list[Comparison] = []
-    notes: list[str] = []
-    for gait in GAITS:
-        here = (gaits[reference] == gait) & np.isfinite(best) & (np.nan_to_num(rate[reference]) > 20)
-        number = published.single(f"friction_{gait}")
-        if not here.any():
-            notes.append(f"At A_p = 3 deg and 10π no sheet stays on the plate while {gait}: it runs off first.")
-        measured = float(np.nanmedian(best[here])) if here.any() else math.nan
-        spread = float(np.nanstd(best[here])) if here.any() else math.nan
-        comparisons.append(
-            Comparison(f"best α while {gait} (deg)", number, measured, 10.0, absolute=True, spread=spread)
-        )
-    top = int(np.nanargmax(best))
-    begin, most, end = float(best[0]), float(best[top]), float(np.nanmedian(best[top + 1 :]))
-    checks = (
-        Check(
-            "best α first rises, then falls, as A_p ω_p² grows",
-            "40, 60, 30 deg",
-            f"{begin:.0f}, {most:.0f}, {end:.0f} deg",
-            end < begin < most,
-        ),
+    for i, runs in enumerate(friction.runs):
+        colour = shade(i / len(friction.runs))
+        draw.curve(axes, runs, friction.acceleration, colour, f"{runs.case.alpha_deg:g}")
+    axes.legend(frameon=False, fontsize=6.5, title="α (deg)", title_fontsize=7, ncols=2)
+    draw.plain(axes, draw.ACCELERATION, draw.RATE, "(a)")
+
+
+def _draw_contours(axes: Axes, friction: _FrictionMap) -> None:
+    share = friction.rate / np.nanmax(friction.rate)
+    axes.clabel(
+        axes.contour(friction.acceleration, friction.alphas, share, levels=np.arange(0.1, 1.0, 0.1)), fontsize=7
     )
-    notes.append(
-        "The same three regimes appear, in the same order, but one gait early: with 3 deg of tilt our sheet bends a "
-        "good deal before a leg leaves the plate, so that what the source sees while walking we see while sliding, and "
-        "what it sees while running, while walking."
-    )
-    rows = tuple(
-        (float(a), float(x), float(r), str(g))
-        for a, row, row_gaits in zip(alphas, rate, gaits, strict=True)
-        for x, r, g in zip(acceleration, row, row_gaits, strict=True)
-    )
-    return Item(
-        spec.name,
-        spec.title,
-        verdict(comparisons, checks),
-        (("fig4.8", figure),),
-        (Table("fig4.8", ("α (deg)", "A_p ω_p² (10⁴ deg/s²)", "ω_B (deg/s)", "gait"), rows),),
-        tuple(comparisons),
-        checks,
-        (*notes, "The spread is over the accelerations of the gait."),
+    axes.plot(friction.acceleration, friction.best, "o-", color="black", ms=3, label="best α")
+    axes.legend(frameon=False, fontsize=8)
+    draw.plain(axes, draw.ACCELERATION, "friction angle α (deg)", "(b) ω_B over its best")
+
+
+def gait_comparisons(results: Results) -> tuple[Comparison, ...]:
+    """Best friction angle of each gait beside the published one; its spread is over the accelerations."""
+    friction = _friction_map(results)
+    return tuple(_compare(gait, friction.best_in(gait)) for gait in GAITS)
+
+
+def _compare(gait: str, best: Array) -> Comparison:
+    return Comparison(
+        f"best α while {gait} (deg)",
+        published.single(f"friction_{gait}"),
+        float(np.nanmedian(best)) if best.size else math.nan,
+        10.0,
+        absolute=True,
+        spread=float(np.nanstd(best)) if best.size else math.nan,
     )
 
 
-def _stays(runs: CaseRuns) -> NDArray[np.bool_]:
-    return runs.curve.fitted
+def _judge_order(friction: _FrictionMap) -> Check:
+    best, top = friction.best, int(np.nanargmax(friction.best))
+    first, highest, last = float(best[0]), float(best[top]), float(np.nanmedian(best[top + 1 :]))
+    return Check(
+        "best α first rises, then falls, as A_p ω_p² grows",
+        "40, 60, 30 deg",
+        f"{first:.0f}, {highest:.0f}, {last:.0f} deg",
+        last < first < highest,
+    )

@@ -1,4 +1,4 @@
-"""Trials: the engine run at chosen parameters under the plate motions that were measured."""
+"""Runs of the engine at parameter sets, under the plate motions that were measured."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from plategait.simulation.run import simulate_all
 
 
 @dataclass(frozen=True, eq=False)
-class Trials:
+class EngineRuns:
     """What the engine gave.
 
     Attributes
@@ -35,9 +35,9 @@ class Trials:
     rates: Array
     failed: NDArray[np.bool_]
 
-    def joined(self, more: Trials) -> Trials:
+    def joined(self, more: EngineRuns) -> EngineRuns:
         """Both, one after the other."""
-        return Trials(np.concatenate([self.u, more.u]), self.conditions, np.concatenate([self.rates, more.rates]),
+        return EngineRuns(np.concatenate([self.u, more.u]), self.conditions, np.concatenate([self.rates, more.rates]),
                       np.concatenate([self.failed, more.failed]))  # fmt: skip
 
     def brackets(self, amplitude: tuple[float, float]) -> tuple[Array, Array]:
@@ -46,29 +46,32 @@ class Trials:
         return brackets(self.failed[:, columns], [self.conditions[i].frequency for i in columns])
 
 
-def run_trials(
+def run_engine(
     unknowns: Unknowns,
     u: Array,
     conditions: Sequence[Condition],
     *,
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
-) -> Trials:
+) -> EngineRuns:
     """Run the engine at every parameter set (n, d) under every condition."""
-    values = unknowns.values(u)
     scenarios = []
-    for row in values:
-        made = unknowns.scenario(row)
-        scenarios += [made.replace(motion=c.motion(made.motion)) for c in conditions]
-    runs = simulate_all(scenarios, seed=seed, progress=progress)
+    for values in unknowns.values(u):
+        scenario = unknowns.scenario(values)
+        scenarios += [scenario.replace(motion=c.motion(scenario.motion)) for c in conditions]
+    simulations = simulate_all(scenarios, seed=seed, progress=progress)
     shape = (len(u), len(conditions))
-    rates = np.degrees([r.spin_rate for r in runs]).reshape(shape)
-    failed = np.array([r.failed for r in runs]).reshape(shape)
-    trials = Trials(u, tuple(conditions), np.where(failed, math.nan, rates), failed)
+    rates = np.degrees([s.spin_rate for s in simulations]).reshape(shape)
+    failed = np.array([s.failed for s in simulations]).reshape(shape)
+    return EngineRuns(u, tuple(conditions), np.where(failed | _beyond(failed, conditions), math.nan, rates), failed)
+
+
+def _beyond(failed: NDArray[np.bool_], conditions: Sequence[Condition]) -> NDArray[np.bool_]:
+    """Points (n, c) beyond the first failure of their amplitude."""
+    frequency = np.array([c.frequency for c in conditions])
+    beyond = np.zeros_like(failed)
     for amplitude in dict.fromkeys(c.amplitude for c in conditions):
         columns = [i for i, c in enumerate(conditions) if c.amplitude == amplitude]
-        _, first = trials.brackets(amplitude)
-        beyond = np.array([conditions[i].frequency for i in columns]) > first[:, None]
-        rates = trials.rates[:, columns]
-        trials.rates[:, columns] = np.where(beyond, math.nan, rates)
-    return trials
+        _, first = brackets(failed[:, columns], frequency[columns])
+        beyond[:, columns] = frequency[columns] > first[:, None]
+    return beyond

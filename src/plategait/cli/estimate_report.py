@@ -1,0 +1,69 @@
+"""What the estimate command prints for people."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from plategait.cli import report
+
+if TYPE_CHECKING:
+    from plategait.estimate.linear import LinearEstimate
+    from plategait.estimate.planning import Plan
+    from plategait.estimate.result import Estimate
+
+_LABELS = {
+    "natural_frequency": "natural frequency ω_n",
+    "friction_angle": "friction angle α",
+    "friction_ratio": "β = μ_k/μ_s",
+    "mass": "mass over that told",
+    "bending_damping": "c_b over that told",
+    "contact_damping": "contact damping over that told",
+}
+
+
+def print_linear(result: LinearEstimate) -> None:
+    """Print an estimate by the source's method, or why there is none."""
+    if result.refused:
+        print("no estimate: outside the method's domain")
+        for reason in result.refused:
+            print(f"  {reason}")
+        print("try --method posterior, which has no such bounds")
+        return
+    numbers = result.summary()["parameters"]
+    rows = [[_LABELS[n], f"{v['median']:.2f} ± {v['sd']:.2f} {v['unit']}"] for n, v in numbers.items()]
+    report.print_table(f"{result.method} method, {result.coefficients} coefficients", ["", "± one sd"], rows)
+
+
+def print_estimate(result: Estimate, plan: Plan | None) -> None:
+    """Print a posterior's marginals, what to know of the fit, and what to measure next."""
+    from plategait.estimate.result import correlated
+
+    rows = [[_LABELS[m.parameter.name], m.text, m.interval_text] for m in result.marginals]
+    title = f"{len(result.posterior.data.which)} points, {result.posterior.runs.rates.size} runs of the engine"
+    report.print_table(title, ["", "± one sd", f"{100 * result.confidence:g} % interval"], rows)
+    for a, b, r in correlated(result):
+        print(f"{_LABELS[a]} and {_LABELS[b]} are correlated: {r:+.2f}")
+    for note in result.posterior.data.notes:
+        print(note)
+    if result.goodness.outliers:
+        print(f"probably outliers, left out in effect: {', '.join(f'{f:g}' for f in result.goodness.outliers)} Hz")
+    for complaint in result.goodness.complaints:
+        print(f"warning: not explained by any parameters: {complaint}")
+    if plan is not None:
+        _print_plan(result, plan)
+
+
+def _print_plan(result: Estimate, plan: Plan) -> None:
+    from plategait.estimate.planning import MOST_MEASUREMENTS
+
+    c = plan.condition
+    print(f"measure next at {c.frequency:.2f} Hz with A_p = {math.degrees(c.angle):.3g} deg "
+          f"(runs off with a probability of {100 * plan.runs_off:.0f} %)")  # fmt: skip
+    for p in (m.parameter for m in result.marginals):
+        now, after = plan.sd_now[p.name] / p.scale, plan.sd_after[p.name] / p.scale
+        print(f"  {_LABELS[p.name]}: sd {now:.2g} now, {after:.2g} expected after {p.unit}".rstrip())
+    if plan.needed:
+        least, median, most = (f"{n}{' or more' if n >= MOST_MEASUREMENTS else ''}" for n in plan.needed)
+        print("  the precision wanted is there" if plan.needed[1] == 0 else
+              f"  measurements for the precision wanted: about {median} ({least} to {most})")  # fmt: skip

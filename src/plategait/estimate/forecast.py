@@ -1,0 +1,208 @@
+"""What to expect of candidate measurements: the rate and the run-off of every sample of the posterior under each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from plategait.arrays import Array
+from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
+from plategait.estimate.observations import Condition
+from plategait.estimate.posterior import Posterior
+from plategait.estimate.runs import EngineRuns, run_engine
+
+DRAWS = 40  # of the posterior that the engine runs: enough for a quadratic of three unknowns
+SAMPLES = 2000  # of the posterior, for which the emulators stand in
+# Candidates span the gaits about the usual run-off, A_p ω_p² = 8e4 deg/s² in the source.
+USUAL_ACCELERATION = math.radians(8e4)
+SPAN = np.linspace(0.5, 1.2, 15)
+# Quantiles of the run-off frequency at which there are candidates too.
+RUN_OFF_QUANTILES = (0.2, 0.35, 0.5, 0.65, 0.8)
+USUAL_NOISE = 0.05  # relative, where the data came with their own
+UNINFORMATIVE = 1e6  # deg/s, noise of a rate that no emulator tells
+LEAST_EFFECTIVE = 40  # samples, fewer of which say nothing of a spread
+MOST_MEASUREMENTS = 40
+FUTURES = 8
+
+
+@dataclass(frozen=True, eq=False)
+class Forecast:
+    """Samples of the posterior with what to expect of each under every candidate.
+
+    Attributes
+    ----------
+    conditions : tuple of Condition
+        The candidates.
+    values : (n, d) array
+        Samples, SI.
+    rates, sd : (n, c) arrays
+        Spin rates and their noise, deg/s.
+    stays : (n, c) array
+        Probability that the object stays on the plate.
+    """
+
+    conditions: tuple[Condition, ...]
+    values: Array
+    rates: Array
+    sd: Array
+    stays: Array
+
+    @cached_property
+    def even(self) -> Array:
+        """Weights (n,) before any further measurement."""
+        return np.full(len(self.values), 1 / len(self.values))
+
+    def variances(self, weight: Array) -> Array:
+        """Weighted variance (d,) of the parameters."""
+        mean = weight @ self.values
+        return weight @ (self.values - mean) ** 2
+
+    def expected_variances(self, weight: Array) -> Array:
+        """Variance (c, d) of the parameters to expect after each candidate, its rate taken as Gaussian."""
+        stays = weight[:, None] * self.stays
+        fails = weight[:, None] - stays
+        return self._share(stays, rated=True) + self._share(fails, rated=False)
+
+    def _share(self, weight: Array, rated: bool) -> Array:
+        """Share of the expected variance (c, d) that comes of one outcome, with weights (n, c)."""
+        total = weight.sum(axis=0) + 1e-300
+        share = weight / total
+        mean = share.T @ self.values
+        variance = np.maximum(share.T @ self.values**2 - mean**2, 0.0)
+        if rated:
+            rate = np.sum(share * self.rates, axis=0)
+            deviation = self.rates - rate
+            spread = np.sum(share * (deviation**2 + self.sd**2), axis=0) + 1e-300
+            covariance = (share * deviation).T @ self.values
+            variance = np.maximum(variance - covariance**2 / spread[:, None], 0.0)
+        return total[:, None] * variance
+
+    def measured(self, weight: Array, candidate: int, truth: int, generator: np.random.Generator) -> Array:
+        """Weights (n,) after one candidate is measured, were one of the samples the truth."""
+        stays = self.stays[:, candidate]
+        if generator.random() < stays[truth]:
+            rates, sd = self.rates[:, candidate], self.sd[:, candidate]
+            rate = generator.normal(rates[truth], sd[truth])
+            score = -0.5 * ((rate - rates) / sd) ** 2 - np.log(sd)
+            weight = weight * stays * np.exp(score - score.max())
+        else:
+            weight = weight * (1 - stays)
+        return weight / weight.sum()
+
+
+def forecast_of(
+    posterior: Posterior,
+    amplitudes: Sequence[tuple[float, float]],
+    *,
+    noise: float | None = None,
+    seed: int = 0,
+    progress: Callable[[float], object] | None = None,
+) -> Forecast:
+    """Run the engine at draws of the posterior under candidates, and emulate it at many more samples.
+
+    Parameters
+    ----------
+    posterior : Posterior
+    amplitudes : sequence of (angle, stroke)
+        Of the candidates, rad and m.
+    noise : float, optional
+        Relative noise of a measurement; that of the posterior if left out.
+    seed : int
+    progress : callable, optional
+        Called with the fraction done.
+    """
+    generator = np.random.default_rng(seed)
+    draws = posterior.u[generator.choice(len(posterior.u), DRAWS, replace=False)]
+    samples = posterior.u[generator.choice(len(posterior.u), SAMPLES, replace=False)]
+    grid = [condition for amplitude in amplitudes for condition in _grid(amplitude)]
+    runs = run_engine(posterior.unknowns, draws, grid, seed=seed, progress=progress)
+    emulators = _Emulators.of(runs, amplitudes)
+    median_noise = float(np.median(posterior.noise)) if noise is None else noise
+    relative = np.full(SAMPLES, median_noise if median_noise > 0 else USUAL_NOISE)
+    candidates = [c for amplitude in amplitudes for c in _candidates(emulators, amplitude, samples)]
+    columns = [emulators.expect(c, samples, relative) for c in candidates]
+    rates, sd, stays = (np.stack([column[k] for column in columns], axis=1) for k in range(3))
+    return Forecast(tuple(candidates), posterior.unknowns.values(samples), rates, sd, stays)
+
+
+def _grid(amplitude: tuple[float, float]) -> list[Condition]:
+    """Conditions of one amplitude at which the engine runs."""
+    usual = math.sqrt(USUAL_ACCELERATION / amplitude[0])
+    return [Condition(*amplitude, round(float(x * usual / math.tau), 2)) for x in SPAN]
+
+
+@dataclass(frozen=True, eq=False)
+class _Emulators:
+    """Rates of every condition that the engine ran, and the run-off of every amplitude, over the parameters."""
+
+    runs: EngineRuns
+    rates: RateEmulator
+    run_offs: dict[tuple[float, float], RunOffEmulator | None]
+
+    @staticmethod
+    def of(runs: EngineRuns, amplitudes: Sequence[tuple[float, float]]) -> _Emulators:
+        """Learn from runs, all of which count alike."""
+        near = np.ones(len(runs.u), dtype=bool)
+        run_offs = {a: fit_run_off(runs.u, *runs.brackets(a), near) for a in amplitudes}
+        return _Emulators(runs, fit_rates(runs.u, runs.rates, near), run_offs)
+
+    def expect(self, condition: Condition, samples: Array, noise: Array) -> tuple[Array, Array, Array]:
+        """Rate (n,), its noise (n,) and probability to stay (n,) of the samples under one candidate."""
+        from scipy.special import ndtr
+
+        grid, run_off = self.runs.conditions, self.run_offs[condition.amplitude]
+        nearest = min((i for i, c in enumerate(grid) if c.amplitude == condition.amplitude),
+                      key=lambda i: abs(grid[i].frequency - condition.frequency))  # fmt: skip
+        if run_off is not None:
+            stays = ndtr((run_off(samples) - condition.frequency) / run_off.width)
+        else:
+            stays = np.full(len(samples), 1.0 - self.runs.failed[:, nearest].mean())
+        error = self.rates.error[nearest]
+        if grid[nearest].frequency != condition.frequency or not math.isfinite(error):
+            # Where no rate was learnt, only whether it stays is told.
+            return np.zeros(len(samples)), np.full(len(samples), UNINFORMATIVE), stays
+        rate = self.rates(samples)[:, nearest]
+        return rate, np.hypot(noise * np.abs(rate) + 1.0, error), stays
+
+
+def _candidates(emulators: _Emulators, amplitude: tuple[float, float], samples: Array) -> list[Condition]:
+    """The conditions that the engine ran, and some between them where the run-off is expected."""
+    run_off = emulators.run_offs[amplitude]
+    between = [] if run_off is None else np.quantile(run_off(samples), RUN_OFF_QUANTILES)
+    return _grid(amplitude) + [Condition(*amplitude, round(float(f), 2)) for f in between]
+
+
+def measurements_needed(forecast: Forecast, scale: Array, goals: Array, seed: int) -> tuple[int, int, int]:
+    """Least, median and most measurements until every precision is reached, over several futures.
+
+    Parameters
+    ----------
+    forecast : Forecast
+    scale : (d,) array
+        Standard deviations worth having, which set what matters how much.
+    goals : (d,) array
+        Standard deviations wanted; infinite where none is.
+    seed : int
+    """
+    generator = np.random.default_rng(seed)
+    counts = sorted(_future(forecast, scale, goals, generator) for _ in range(FUTURES))
+    return counts[0], counts[len(counts) // 2], counts[-1]
+
+
+def _future(forecast: Forecast, scale: Array, goals: Array, generator: np.random.Generator) -> int:
+    """Measurements that one future takes, its truth one of the samples."""
+    truth, weight = int(generator.integers(len(forecast.values))), forecast.even
+    for count in range(MOST_MEASUREMENTS):
+        sd = np.sqrt(forecast.variances(weight))
+        if (sd <= goals).all():
+            return count
+        if count and 1 / np.sum(weight**2) < LEAST_EFFECTIVE:
+            # Too few samples left to go on: from here the spread falls with the root of the number.
+            return min(MOST_MEASUREMENTS, math.ceil(count * float(np.max(sd / goals)) ** 2))
+        best = int(np.argmin(np.sum(forecast.expected_variances(weight) / scale**2, axis=1)))
+        weight = forecast.measured(weight, best, truth, generator)
+    return MOST_MEASUREMENTS
