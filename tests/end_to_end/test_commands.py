@@ -167,7 +167,8 @@ def test_curve_writes_what_fit_reads(tmp_path):
     assert (summary["f0_hz"] is None) == (done.returncode == 1)
     assert [p["frequency_hz"] for p in summary["points"]] == [14, 17, 20, 23, 26]
     curve = read_curve(tmp_path / "c.csv")
-    assert (tmp_path / "c.csv").read_text().splitlines()[0] == ",".join(COLUMNS)
+    assert (tmp_path / "c.csv").read_text().splitlines()[0].startswith(",".join(COLUMNS) + ",drift_mm,")
+    assert 1e3 * curve.values["drift"][0] == pytest.approx(summary["points"][0]["drift_mm"], rel=1e-9)
     for i, point in enumerate(summary["points"]):
         if point["spin_rate_deg_s"] is not None:
             assert curve.spin_rate_deg_s[i] == pytest.approx(point["spin_rate_deg_s"], rel=1e-9)

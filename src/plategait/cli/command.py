@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _LAID_OVER = {
     "motion.frequency": "frequency", "motion.angle": "angle", "motion.stroke": "stroke", "sheet.mass": "mass",
     "friction.static": "mu_s", "friction.kinetic": "mu_k", "friction.law": "friction_law", "friction_ratio": "beta",
-    "time_step": "dt", "preset": "shown", "marker": "fiducial", "appearance.exposure": "exposure",
+    "time_step": "dt", "preset": "preset_name", "marker": "fiducial", "appearance.exposure": "exposure",
     "appearance.noise": "noise", "appearance.crf": "crf", "appearance.hidden": "hidden",
 }  # fmt: skip
 

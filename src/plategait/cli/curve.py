@@ -2,55 +2,43 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from plategait.cli import options, report
+from plategait.cli.groups import grouped
+from plategait.curve.curve_file import write_curve
+from plategait.curve.spin_curve import spin_curve
 from plategait.files.output import PICTURES, check_outputs
+from plategait.files.ranges import parse_frequencies
 
 if TYPE_CHECKING:
     from plategait.curve.curve import Curve
 
 
+@grouped
 def curve(
     context: typer.Context,
     scenario: options.ScenarioName = "cheese",
-    sheet: options.Sheet = None,
-    natural_frequency: options.NaturalFrequency = None,
     frequency: Annotated[
         str, typer.Option("--frequency", help='Plate frequencies, first:last:step: "12:30:1Hz".')
     ] = "12:30:1Hz",
-    angle: options.Angle = None,
-    stroke: options.Stroke = None,
-    mu_s: options.MuS = None,
-    mu_k: options.MuK = None,
-    friction_law: options.Law = None,
-    duration: options.Duration = None,
-    measured: options.With = None,
-    repeats: options.Repeats = 1,
-    seed: options.Seed = 0,
-    dt: options.Dt = None,
-    engine: options.Engine = "cpu",
+    *,
+    laid_over: options.ScenarioOptions,
+    ensemble: options.EnsembleOptions,
     out: Annotated[Path | None, typer.Option("--out", help="Write the curve: .csv.")] = None,
     plot: options.Plot = None,
     as_json: options.Json = False,
 ) -> None:
     """Spin rate over a range of plate frequencies, with gaits, failures and the Lorentz fit."""
-    from plategait.curve.curve_file import write_curve
-    from plategait.curve.spin_curve import spin_curve
-    from plategait.files.ranges import parse_frequencies
-
     check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
-    options.refuse_idle_seed(context, repeats)
-    chosen = options.build(
-        scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
-        friction_law=friction_law, duration=duration, dt=dt, measured=measured,
-    )  # fmt: skip
+    options.refuse_idle_seed(context, ensemble.repeats)
     with report.progress_bar("simulating") as progress:
         result = spin_curve(
-            chosen, parse_frequencies(frequency), repeats=repeats, seed=seed, engine=engine, progress=progress
+            laid_over.over(scenario), parse_frequencies(frequency), **asdict(ensemble), progress=progress
         )
     if out:
         write_curve(result, out)

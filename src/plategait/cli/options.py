@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -14,6 +15,7 @@ from plategait.model.fragment import overlay, read_fragment
 from plategait.model.parameters import find_parameter, kinetic_follows, with_values
 from plategait.model.presets import PRESETS, as_scenario
 from plategait.model.scenario import Scenario
+from plategait.units import FREQUENCY
 
 if TYPE_CHECKING:
     from numpy.random import Generator
@@ -59,6 +61,43 @@ def refuse_idle_seed(context: typer.Context, repeats: int) -> None:
     """Refuse a seed where the only run starts where the scenario says."""
     if repeats == 1:
         refuse(context, ["seed"], "where nothing is left to chance", "--repeats 4")
+
+
+@dataclass(frozen=True)
+class ObjectOptions:
+    """Object and plate as typed, laid over a scenario."""
+
+    natural_frequency: NaturalFrequency = None
+    angle: Angle = None
+    stroke: Stroke = None
+    mu_s: MuS = None
+    mu_k: MuK = None
+    measured: With = None
+
+    def over(self, scenario: str, frequency: str | None = None, generator: Generator | None = None) -> Scenario:
+        """Scenario of a name with these laid over it, measured parameters drawn where a generator is given."""
+        hertz = FREQUENCY.read(frequency, "--frequency") if frequency is not None else None
+        laid_over = {field.name: getattr(self, field.name) for field in fields(self)}
+        return build(scenario, frequency=hertz, generator=generator, **laid_over)
+
+
+@dataclass(frozen=True)
+class ScenarioOptions(ObjectOptions):
+    """All that may be laid over a scenario."""
+
+    sheet: Sheet = None
+    friction_law: Law = None
+    duration: Duration = None
+    dt: Dt = None
+
+
+@dataclass(frozen=True)
+class EnsembleOptions:
+    """How a scenario is run, as typed."""
+
+    repeats: Repeats = 1
+    seed: Seed = 0
+    engine: Engine = "cpu"
 
 
 def build(

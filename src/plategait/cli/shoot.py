@@ -14,7 +14,6 @@ from plategait.cli.command import refuse
 from plategait.cli.groups import grouped
 from plategait.errors import InputError
 from plategait.files.output import check_writable
-from plategait.units import FREQUENCY
 
 if TYPE_CHECKING:
     from plategait.camera.camera import Camera
@@ -77,13 +76,8 @@ def shoot(
     scenario: Annotated[str, typer.Argument(metavar="SCENARIO", help="A TOML file or a preset.")],
     out: Annotated[Path, typer.Argument(metavar="CLIP.mp4", help="Film to write; the truth goes to CLIP.truth.csv.")],
     filming: CameraOptions,
+    laid_over: options.ObjectOptions,
     frequency: Annotated[str | None, typer.Option("--frequency", help='Plate frequency: "24 Hz".')] = None,
-    angle: options.Angle = None,
-    stroke: options.Stroke = None,
-    natural_frequency: options.NaturalFrequency = None,
-    mu_s: options.MuS = None,
-    mu_k: options.MuK = None,
-    measured: options.With = None,
     seed: options.Seed = 0,
     as_json: options.Json = False,
 ) -> None:
@@ -94,10 +88,7 @@ def shoot(
     from plategait.render.clip.clip import film
     from plategait.simulation.run import simulate
 
-    to_film = options.build(
-        scenario, natural_frequency=natural_frequency, angle=angle, stroke=stroke, mu_s=mu_s, mu_k=mu_k,
-        frequency=FREQUENCY.read(frequency, "--frequency") if frequency is not None else None, measured=measured,
-    )  # fmt: skip
+    to_film = laid_over.over(scenario, frequency)
     settle = min(1.0, to_film.measured_from)
     to_film = to_film.replace(duration=settle + filming.seconds + 0.05, transient=settle)
     appearance = filming.appearance(seed)

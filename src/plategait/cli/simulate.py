@@ -4,82 +4,101 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from plategait.cli import options, report
 from plategait.cli.command import refuse
+from plategait.cli.groups import grouped
+from plategait.engine.recording import RunRequest
 from plategait.files.output import PICTURES, check_outputs
-from plategait.units import FREQUENCY
+from plategait.model.scenario import Scenario
+from plategait.simulation import run
+from plategait.simulation.dataset import check_room, write_dataset
+from plategait.simulation.result import Simulation
+from plategait.simulation.run import FILM_INTERVAL
 
-if TYPE_CHECKING:
-    from plategait.model.scenario import Scenario
-    from plategait.simulation.result import Simulation
+
+@dataclass(frozen=True)
+class OutputOptions:
+    """Files that a run is written to, as typed."""
+
+    out: Annotated[Path | None, typer.Option("--out", help="Write the run as labelled data: .nc.")] = None
+    plot: options.Plot = None
+    film: Annotated[Path | None, typer.Option("--film", help="Write a film: .mp4.")] = None
+    filmstrip: Annotated[
+        Path | None, typer.Option("--filmstrip", help="Write snapshots over one plate period: .png.")
+    ] = None
+
+    def check_room(self, scenario: Scenario, repeats: int) -> None:
+        """Refuse data that would not fit the memory or the disk, before the work."""
+        if self.out:
+            check_room(RunRequest(scenario, snapshot_interval=FILM_INTERVAL), repeats, self.out)
+
+    def check_names(self) -> None:
+        """Refuse names that cannot be written to, before anything is read."""
+        check_outputs(
+            (self.out, (".nc",), "--out"),
+            (self.plot, PICTURES, "--plot"),
+            (self.film, (".mp4",), "--film"),
+            (self.filmstrip, (".png",), "--filmstrip"),
+        )
+
+    @property
+    def snapshot_interval(self) -> float:
+        """Time between the shapes that they need, s; 0 where they need none."""
+        return FILM_INTERVAL if self.out or self.film or self.filmstrip else 0.0
+
+    def write(self, result: Simulation) -> None:
+        """Write them all."""
+        if self.out:
+            write_dataset(result, self.out)
+        if self.plot:
+            from plategait.plots.figures import plot_run
+            from plategait.plots.style import save
+
+            save(plot_run(result), self.plot)
+        if self.film or self.filmstrip:
+            from plategait import render
+
+            if self.film:
+                render.film(result, self.film)
+            if self.filmstrip:
+                render.filmstrip(result, self.filmstrip)
 
 
+@grouped
 def simulate(
     context: typer.Context,
     scenario: options.ScenarioName = "cheese",
-    sheet: options.Sheet = None,
-    natural_frequency: options.NaturalFrequency = None,
     frequency: Annotated[str | None, typer.Option("--frequency", help='Plate frequency: "24 Hz".')] = None,
-    angle: options.Angle = None,
-    stroke: options.Stroke = None,
-    mu_s: options.MuS = None,
-    mu_k: options.MuK = None,
-    friction_law: options.Law = None,
-    duration: options.Duration = None,
-    measured: options.With = None,
+    *,
+    laid_over: options.ScenarioOptions,
     draws: options.Draws = 0,
-    repeats: options.Repeats = 1,
-    seed: options.Seed = 0,
-    dt: options.Dt = None,
-    engine: options.Engine = "cpu",
-    out: Annotated[Path | None, typer.Option("--out", help="Write the run as labelled data: .nc.")] = None,
-    plot: options.Plot = None,
-    film: Annotated[Path | None, typer.Option("--film", help="Write a film: .mp4.")] = None,
-    filmstrip: Annotated[
-        Path | None, typer.Option("--filmstrip", help="Write snapshots over one plate period: .png.")
-    ] = None,
+    ensemble: options.EnsembleOptions,
+    files: OutputOptions,
     as_json: options.Json = False,
 ) -> None:
     """Run one scenario: how fast it spins, in which gait, and whether it stays.
 
     Exit status 1 when any of its runs failed or has an energy that does not balance.
     """
-    from plategait.simulation import run as simulation
-
-    check_outputs(
-        (out, (".nc",), "--out"),
-        (plot, PICTURES, "--plot"),
-        (film, (".mp4",), "--film"),
-        (filmstrip, (".png",), "--filmstrip"),
-    )
-    if not measured:
+    files.check_names()
+    if not laid_over.measured:
         refuse(context, ["draws"], "where --with gives nothing to draw from", "--with bending.toml")
     if not draws:
-        options.refuse_idle_seed(context, repeats)
-    build = partial(
-        options.build, scenario, sheet=sheet, natural_frequency=natural_frequency, angle=angle, stroke=stroke,
-        mu_s=mu_s, mu_k=mu_k, friction_law=friction_law, duration=duration, dt=dt, measured=measured,
-        frequency=FREQUENCY.read(frequency, "--frequency") if frequency is not None else None,
-    )  # fmt: skip
-    chosen = build()
-    if out:
-        from plategait.engine.recording import RunRequest
-        from plategait.simulation.dataset import check_room
-
-        check_room(RunRequest(chosen, snapshot_interval=simulation.FILM_INTERVAL), repeats, out)
+        options.refuse_idle_seed(context, ensemble.repeats)
+    build = partial(laid_over.over, scenario, frequency)
+    nominal = build()
+    files.check_room(nominal, ensemble.repeats)
     with report.progress_bar("simulating") as progress:
-        result = simulation.simulate(
-            chosen, repeats=repeats, seed=seed, engine=engine, progress=progress,
-            snapshot_interval=simulation.FILM_INTERVAL if out or film or filmstrip else 0.0,
-        )  # fmt: skip
-    _write_pictures(result, out, plot, film, filmstrip)
-    drawn = _drawn(build, draws, seed, engine) if draws else None
+        result = run.simulate(nominal, **asdict(ensemble), progress=progress, snapshot_interval=files.snapshot_interval)
+    files.write(result)
+    drawn = _drawn(build, draws, ensemble) if draws else None
     report.print_json(result.summary() | ({"draws": drawn} if drawn else {})) if as_json else report.print_simulation(
         result, drawn
     )
@@ -87,39 +106,16 @@ def simulate(
 
 
 def _drawn(
-    build: Callable[..., Scenario], draws: int, seed: int, engine: options.Engine
+    build: Callable[..., Scenario], draws: int, ensemble: options.EnsembleOptions
 ) -> dict[str, float | int | None]:
     """Spin rates of draws of what was measured: median and 95 % interval, deg/s, and how many failed."""
     import numpy as np
 
-    from plategait.simulation import run as simulation
-
-    generator = np.random.default_rng(seed)
+    generator = np.random.default_rng(ensemble.seed)
     scenarios = [build(generator=generator) for _ in range(draws)]
     with report.progress_bar("drawing") as progress:
-        runs = simulation.simulate_all(scenarios, seed=seed, engine=engine, progress=progress)
+        runs = run.simulate_all(scenarios, seed=ensemble.seed, engine=ensemble.engine, progress=progress)
     failed = sum(r.failed for r in runs)
     rates = np.degrees([r.spin_rate for r in runs if math.isfinite(r.spin_rate)])
     low, middle, high = np.quantile(rates, [0.025, 0.5, 0.975]).tolist() if len(rates) else (None, None, None)
     return {"runs": draws, "failed": failed, "spin_rate_deg_s": middle, "low": low, "high": high}
-
-
-def _write_pictures(
-    result: Simulation, out: Path | None, plot: Path | None, film: Path | None, filmstrip: Path | None
-) -> None:
-    if out:
-        from plategait.simulation.dataset import write_dataset
-
-        write_dataset(result, out)
-    if plot:
-        from plategait.plots.figures import plot_run
-        from plategait.plots.style import save
-
-        save(plot_run(result), plot)
-    if film or filmstrip:
-        from plategait import render
-
-        if film:
-            render.film(result, film)
-        if filmstrip:
-            render.filmstrip(result, filmstrip)

@@ -65,7 +65,8 @@ def plot_curve(curve: Curve) -> Figure:
     label_axes(axes, "plate frequency $f_p$ (Hz)", "spin rate $\\omega_B$ (deg/s)")
     axes.set_title(curve.name, loc="left", fontsize=11)
     axes.set_ylim(bottom=min(0.0, float(np.nanmin(np.append(rate, 0.0)))))
-    axes.legend(frameon=False, fontsize=8.5, loc="lower right")
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(frameon=False, fontsize=8.5, loc="lower right")
     return figure
 
 

@@ -177,7 +177,7 @@ BUILT_IN = (
     Observable("flight_fraction", "1", "share of the time in which nothing touches", lambda w: w.mean("flight"),
                "time in flight", "%"),
     Observable("bending_amplitude", "rad", "largest rms angle of the bending joints", _bending_amplitude,
-               "bending of a joint", "deg"),
+               "bending amplitude", "deg"),
     Observable("plate_power", "W", "mean power of the plate", _plate_power, "plate power", "mW"),
     Observable("energy_residual", "1", "energy unaccounted for at the end over the energy given",
                lambda w: w.energy.relative_residual, over_runs="worst"),
