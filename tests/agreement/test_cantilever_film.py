@@ -46,11 +46,11 @@ def test_markers_are_followed_to_a_fraction_of_a_pixel(good):
 
 def test_the_joint_is_recovered_from_the_film(good, tmp_path):
     track_cantilever(good[0], fps=480, link_length=0.01).write(tmp_path / "strip.csv")
-    found = identify_bending(read_angles(tmp_path / "strip.csv"))
+    joint = identify_bending(read_angles(tmp_path / "strip.csv"))
     # The codec moves markers by 0.1 px, for many frames alike: 0.07 deg of the 6.7 deg that phi2 swings. Films with
     # three other seeds give -1.2 to 0.1 % and -2.9 to 0.9 %.
-    assert found.stiffness.value == pytest.approx(STIFFNESS, rel=0.02)
-    assert found.damping.value == pytest.approx(DAMPING, rel=0.05)
+    assert joint.stiffness.value == pytest.approx(STIFFNESS, rel=0.02)
+    assert joint.damping.value == pytest.approx(DAMPING, rel=0.05)
 
 
 def test_a_poor_film_says_that_it_is_poor(tmp_path):

@@ -55,9 +55,9 @@ def test_flat_objects(clip: Clip, tmp_path: Path) -> None:
     if result.symmetry == 1:
         # The target is 1 deg rms.
         assert error_of(result, angle) < 0.2
-    shown = len(angle) - len(clip.repeat) - (0 if clip.hidden is None else sum(map(clip.hidden, range(len(angle)))))
+    whole = len(angle) - len(clip.repeat) - (0 if clip.hidden is None else sum(map(clip.hidden, range(len(angle)))))
     # None of those that show something else, and nearly all of the others.
-    assert 0.93 * shown <= result.sure.sum() <= shown
+    assert 0.93 * whole <= result.sure.sum() <= whole
 
 
 def test_a_known_scale_from_straight_above(tmp_path: Path) -> None:

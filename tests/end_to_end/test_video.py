@@ -39,10 +39,10 @@ def test_the_full_circle(tmp_path):
     done = plategait(
         "estimate", "curve.csv", "--beta", f"{BETA}", "--json", "--out", "object.toml", cwd=tmp_path, check=0
     )
-    found = json.loads(done.stdout)["parameters"]
+    parameters = json.loads(done.stdout)["parameters"]
     # The errors that the estimator is held to, with β known: half a π rad/s and a degree, here for one object.
-    assert found["natural_frequency"]["median"] == pytest.approx(OMEGA_PI, abs=0.6)
-    assert found["friction_angle"]["median"] == pytest.approx(math.degrees(math.atan(MU_S)), abs=1.0)
+    assert parameters["natural_frequency"]["median"] == pytest.approx(OMEGA_PI, abs=0.6)
+    assert parameters["friction_angle"]["median"] == pytest.approx(math.degrees(math.atan(MU_S)), abs=1.0)
     plategait("simulate", "cheese", "--with", "object.toml", "--duration", "0.2 s", cwd=tmp_path, check=0)
 
 
@@ -53,9 +53,9 @@ def test_a_strip_from_film_to_joint(tmp_path):
     film_cantilever(K_B, C_B, tmp_path / "strip.mp4")
     done = plategait("track-strip", "strip.mp4", "--link-length", "10 mm", "--out", "strip.csv", cwd=tmp_path, check=0)
     assert "a pixel is" in done.stdout
-    found = json.loads(plategait("identify", "bending", "strip.csv", "--json", cwd=tmp_path, check=0).stdout)
+    joint = json.loads(plategait("identify", "bending", "strip.csv", "--json", cwd=tmp_path, check=0).stdout)
     # Films of this size and quality gave k_b within 1.2 % over several seeds; Table 4.1 has 2.72e-3 N mm/deg.
-    assert found["bending_stiffness_n_mm_per_deg"]["value"] == pytest.approx(2.72e-3, rel=0.03)
+    assert joint["bending_stiffness_n_mm_per_deg"]["value"] == pytest.approx(2.72e-3, rel=0.03)
 
 
 @pytest.mark.parametrize(

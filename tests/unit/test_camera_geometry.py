@@ -25,8 +25,8 @@ def detect(picture: np.ndarray) -> dict[int, np.ndarray]:
     parameters.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
     dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
     corners, numbers, _ = cv2.aruco.ArucoDetector(dictionary, parameters).detectMarkers(picture)
-    found = [] if numbers is None else numbers.ravel().tolist()
-    return {n: c.reshape(4, 2) for n, c in zip(found, corners, strict=True)}
+    ids = [] if numbers is None else numbers.ravel().tolist()
+    return {n: c.reshape(4, 2) for n, c in zip(ids, corners, strict=True)}
 
 
 def test_points_fall_where_opencv_puts_them():
@@ -134,12 +134,12 @@ def test_the_printed_page_is_found_by_the_detector_at_true_scale():
     page, picture = fiducials._plate_page(target), io.BytesIO()
     page.savefig(picture, format="png", dpi=254)
     gray = cv2.imdecode(np.frombuffer(picture.getvalue(), np.uint8), cv2.IMREAD_GRAYSCALE)
-    found = detect(gray)
-    assert sorted(found) == [0, 1, 2, 3]
+    detected = detect(gray)
+    assert sorted(detected) == [0, 1, 2, 3]
     middle = np.array([gray.shape[1] - 1, gray.shape[0] - 1]) / 2
-    seen = np.array([found[k] for k in range(4)])
+    pixels = np.array([detected[k] for k in range(4)])
     # 10 px for 1 mm; 0.1 mm is as well as the page can be cut.
-    np.testing.assert_allclose((seen - middle) * (1e-4, -1e-4), target.corners, atol=1e-4)
+    np.testing.assert_allclose((pixels - middle) * (1e-4, -1e-4), target.corners, atol=1e-4)
 
 
 def test_the_target_is_a_pdf_of_two_pages_on_a4(tmp_path):

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from plategait.errors import InputError
-from plategait.vision.folder import clips_in, curve_of_clips, frequency_in_name, read_frequencies
+from plategait.vision.folder import clips_in, curve_of_clips, frequency_in_name, read_frequencies, track_folder
+from plategait.vision.setup import Setup
+from plategait.vision.spin import Spin
 
 
 @pytest.mark.parametrize(
@@ -42,3 +46,33 @@ def test_folders_without_clips_are_refused(tmp_path):
         clips_in(tmp_path)
     with pytest.raises(InputError, match="unknown plate frequency"):
         curve_of_clips([], "c")
+
+
+def test_each_clip_has_its_frequency_and_a_bad_one_costs_no_other(tmp_path, monkeypatch):
+    for name in ("14Hz.mp4", "IMG_1.mov", "IMG_2.mov", "18Hz.mp4"):
+        (tmp_path / name).touch()
+    asked = {}
+
+    def track(path, setup, progress):
+        asked[path.name] = setup.plate_frequency
+        progress(0.5)
+        if path.name == "18Hz.mp4":
+            raise InputError("video", "nothing like a plate", "a plate", "a plate")
+        rate = Spin(1.0, 0.9, 1.1, True, 0.1)
+        return SimpleNamespace(spin=rate, plate_frequency=setup.plate_frequency or 16.0, drift=0.0)
+
+    monkeypatch.setattr("plategait.vision.folder.track", track)
+    done = []
+    clips = track_folder(tmp_path, Setup(), frequencies={"IMG_1": 15.0}, progress=done.append)
+    assert asked == {"14Hz.mp4": 14.0, "18Hz.mp4": 18.0, "IMG_1.mov": 15.0, "IMG_2.mov": None}
+    assert [(c.frequency, c.source) for c in clips] == [
+        (14.0, "given"), (18.0, "given"), (15.0, "given"), (16.0, "measured"),
+    ]  # fmt: skip
+    assert done == [0.125, 0.375, 0.625, 0.875]
+    assert "nothing like a plate" in clips[1].trouble
+    curve = curve_of_clips(clips, "folder")
+    assert curve.frequency_hz.tolist() == [14.0, 15.0, 16.0, 18.0]
+    assert curve.spin_rate_deg_s[:3] == pytest.approx(math.degrees(1.0))
+    assert math.isnan(curve.spin_rate_deg_s[3])
+    # The interval is that of 95 %: 1.96 standard deviations each way.
+    assert curve.spin_rate_sd_deg_s[0] == pytest.approx(math.degrees(0.1) / 1.96)

@@ -136,19 +136,19 @@ def test_parallax_of_a_lifted_marker_is_taken_out() -> None:
     lift = 0.008 * np.sin(true) ** 2 * (1 + np.sign(np.sin(true)) * np.sin(2 * np.pi * f * time)) / 2
     at = length * np.sqrt(1 - (lift / length) ** 2)[:, None] * np.stack([np.cos(true), np.sin(true)], axis=1)
     # Exactly as a point at that height falls on the plate's plane, seen from the eye.
-    seen = eye[:, :2] + (at - eye[:, :2]) * (eye[:, 2] / (eye[:, 2] - lift))[:, None]
+    apparent = eye[:, :2] + (at - eye[:, :2]) * (eye[:, 2] / (eye[:, 2] - lift))[:, None]
     noise = np.random.default_rng(3).normal(size=(2, len(time)))
-    angle = np.unwrap(np.arctan2(seen[:, 1], seen[:, 0])) + np.radians(0.2) * noise[0]
-    apart = np.hypot(*seen.T) + 1e-4 * noise[1]
-    found = parallax.rim_parallax(time, angle, apart, np.zeros((len(time), 2)), eye, f)
-    assert found is not None
-    before, after = (np.degrees(np.std(a - true)) for a in (angle, angle - found.turn))
+    angle = np.unwrap(np.arctan2(apparent[:, 1], apparent[:, 0])) + np.radians(0.2) * noise[0]
+    spacing = np.hypot(*apparent.T) + 1e-4 * noise[1]
+    fit = parallax.rim_parallax(time, angle, spacing, np.zeros((len(time), 2)), eye, f)
+    assert fit is not None
+    before, after = (np.degrees(np.std(a - true)) for a in (angle, angle - fit.turn))
     assert before > 2.5
     # The sign function has all harmonics of the turn; those left out hold some 0.3 deg, the noise 0.2 deg.
     assert after < 0.5
     # Of a few frames, or of an object that hardly turns, nothing can be said.
-    assert parallax.rim_parallax(time[:15], angle[:15], apart[:15], np.zeros((15, 2)), eye[:15], f) is None
-    assert parallax.rim_parallax(time, angle / 100, apart, np.zeros((120, 2)), eye, f) is None
+    assert parallax.rim_parallax(time[:15], angle[:15], spacing[:15], np.zeros((15, 2)), eye[:15], f) is None
+    assert parallax.rim_parallax(time, angle / 100, spacing, np.zeros((120, 2)), eye, f) is None
 
 
 @pytest.mark.linear_algebra
@@ -280,8 +280,8 @@ def test_the_command_writes_poses_and_a_preview(clip: Path, tmp_path: Path) -> N
     assert turned[-1] - turned[0] == pytest.approx(250 * 29 / 30, abs=5)
     with open_video(film) as video:
         assert sum(1 for _ in video.frames()) == 29
-    shown = CliRunner().invoke(app(), ["track", str(clip)])
-    assert "spin rate" in shown.output
+    printed = CliRunner().invoke(app(), ["track", str(clip)])
+    assert "spin rate" in printed.output
 
 
 def test_bad_input_leaves_nothing_behind(clip: Path, tmp_path: Path) -> None:

@@ -143,9 +143,9 @@ def track_folder(
         When the folder has no clips, or a name tells two frequencies.
     """
     paths = clips_in(folder)
-    given = [(frequencies or {}).get(path.stem, frequency_in_name(path)) for path in paths]
+    nominal = [(frequencies or {}).get(path.stem, frequency_in_name(path)) for path in paths]
     clips = []
-    for i, (path, frequency) in enumerate(zip(paths, given, strict=True)):
+    for i, (path, frequency) in enumerate(zip(paths, nominal, strict=True)):
 
         def report(done: float, i: int = i) -> None:
             if progress is not None:

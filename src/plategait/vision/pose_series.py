@@ -44,9 +44,9 @@ class PoseSeries:
     @classmethod
     def of(cls, time: Array, poses: Sequence[Pose], repeated: Flags) -> PoseSeries:
         """Poses as arrays; frames that repeat a picture are not sure."""
-        columns = (np.array([getattr(p, k) for p in poses]) for k in ("x", "y", "angle", "spacing"))
+        x, y, angle, spacing = (np.array([getattr(p, k) for p in poses]) for k in ("x", "y", "angle", "spacing"))
         reason = [p.reason or ("repeated picture" if again else "") for p, again in zip(poses, repeated, strict=True)]
-        return cls(time, *columns, reason)
+        return cls(time, x, y, angle, spacing, reason)
 
     @property
     def sure(self) -> Flags:

@@ -107,7 +107,8 @@ def _ridge(rows: Array, data: Array, penalty: Array) -> Array:
     n = len(penalty)
     ridge = np.zeros((n, rows.shape[1]))
     ridge[:, :n] = np.diag(penalty)
-    return np.linalg.lstsq(np.concatenate([rows, ridge]), np.concatenate([data, np.zeros(n)]), rcond=None)[0]
+    rows, data = np.concatenate([rows, ridge]), np.concatenate([data, np.zeros(n)])
+    return np.asarray(np.linalg.lstsq(rows, data, rcond=None)[0], dtype=float)
 
 
 def _apparent(lift: Array, true: Array, sight: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:

@@ -131,7 +131,7 @@ def _parts(binary: Picture, grid: Grid) -> list[Picture]:
 
 @dataclass(eq=False)
 class PolarTemplate:
-    """Unrolled object in its own frame: rows that shift when it turns, and where they were seen.
+    """Unrolled object in its own frame: rows that shift when it turns.
 
     Attributes
     ----------
@@ -168,7 +168,7 @@ class PolarTemplate:
         self.spectrum = np.fft.rfft(self.total / self.count, axis=0)
 
     def symmetry(self) -> int:
-        """Turns of a full circle over this look the same to the template; 0 when every turn does."""
+        """Turns of a full circle over this look the same to the template."""
         if self.spectrum is None:
             return 1
         curve = np.fft.irfft((np.abs(self.spectrum) ** 2).sum(axis=1), ANGLES)
