@@ -24,8 +24,8 @@ def bending_errors(seeds, *, k_1=None, c_1=None, **options):
     errors, covered = [], []
     for seed in range(seeds):
         recording = cantilever_recording(K_B, C_B, k_1=k_1, c_1=c_1, jitter=JITTER, seed=seed).angles
-        found = identify_bending(recording, **options)
-        pairs = ((found.stiffness, K_B), (found.damping, C_B))
+        result = identify_bending(recording, **options)
+        pairs = ((result.stiffness, K_B), (result.damping, C_B))
         errors.append([m.value / truth - 1 for m, truth in pairs])
         covered.append([m.low <= truth <= m.high for m, truth in pairs])
     return np.array(errors), np.array(covered)
@@ -79,11 +79,12 @@ def test_one_joint_for_both_is_sharpest_where_it_is_true():
 
 def test_leaving_out_the_centripetal_term_makes_the_joint_look_stiffer():
     recording = cantilever_recording(K_B, C_B, jitter=0.0, exposure=0.0).angles
-    kept, dropped = (
-        identify_bending(recording, wall="free", centripetal=each).stiffness.value / K_B - 1 for each in (True, False)
+    whole, dropped = (
+        identify_bending(recording, wall="free", centripetal=centripetal).stiffness.value / K_B - 1
+        for centripetal in (True, False)
     )
     # Without noise only the steps of the integration are left: 1e-4 of a period of the fastest mode.
-    assert abs(kept) < 1e-4
+    assert abs(whole) < 1e-4
     assert 0.002 < dropped < 0.03
 
 
@@ -91,8 +92,8 @@ def compression_errors(seeds, **options):
     errors, covered = [], []
     for seed in range(seeds):
         press = press_recording(K_S, C_S, seed=seed, **options)
-        found = identify_compression(Pressing(press.time, press.displacement, press.force))
-        pairs = ((found.stiffness, K_C), (found.damping, C_C))
+        result = identify_compression(Pressing(press.time, press.displacement, press.force))
+        pairs = ((result.stiffness, K_C), (result.damping, C_C))
         errors.append([m.value / truth - 1 for m, truth in pairs])
         covered.append([m.low <= truth <= m.high for m, truth in pairs])
     return np.array(errors), np.array(covered)

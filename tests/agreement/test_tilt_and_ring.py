@@ -30,8 +30,8 @@ def tilt(seed, static, kinetic, **options):
 @pytest.mark.parametrize("noise", [2e-4, 5e-4])
 def test_friction_is_recovered_over_the_range_of_cameras_and_objects(fps, static, beta, noise):
     kinetic = beta * static
-    found = [tilt(seed, static, kinetic, fps=fps, noise=noise) for seed in range(3)]
-    for result in found:
+    results = [tilt(seed, static, kinetic, fps=fps, noise=noise) for seed in range(3)]
+    for result in results:
         assert result.static is not None
         assert result.kinetic is not None
         # Largest of hundreds of trials: 0.04 deg, 7e-4 (1 + μ²) in μ_s. A slide of 0.15 m at β = 0.3 tells μ_k to
@@ -43,12 +43,12 @@ def test_friction_is_recovered_over_the_range_of_cameras_and_objects(fps, static
 def test_intervals_of_friction_hold_what_they_promise():
     inside = []
     for k, options in enumerate(({"fps": 30}, {"fps": 240, "noise": 2e-4}, {"fps": 60, "creep": 1e-3})):
-        found = [tilt(40 * k + seed, 0.75, 0.4, **options) for seed in SEEDS]
-        inside += [(r.static.low <= 0.75 <= r.static.high, r.kinetic.low <= 0.4 <= r.kinetic.high) for r in found]
+        results = [tilt(40 * k + seed, 0.75, 0.4, **options) for seed in SEEDS]
+        inside += [(r.static.low <= 0.75 <= r.static.high, r.kinetic.low <= 0.4 <= r.kinetic.high) for r in results]
         # And they are no wider than they need to be: the errors are about a quarter of the intervals.
-        errors = np.std([r.static.value for r in found]), np.std([r.kinetic.value for r in found])
+        errors = np.std([r.static.value for r in results]), np.std([r.kinetic.value for r in results])
         widths = [
-            np.median([m.high - m.low for m in (getattr(r, name) for r in found)]) for name in ("static", "kinetic")
+            np.median([m.high - m.low for m in (getattr(r, name) for r in results)]) for name in ("static", "kinetic")
         ]
         np.testing.assert_allclose(widths, 3.92 * np.array(errors), rtol=0.45)  # the sd of 40 is 11 % off, four times
     assert (np.mean(inside, axis=0) >= LEAST_COVERED + 0.03).all()  # three times as many trials: three sds are 6 %
@@ -89,16 +89,16 @@ def test_ringing_is_recovered_over_the_range_of_sheets(frequency, ratio, rate):
 
 @pytest.mark.parametrize(("frequency", "ratio"), [(5, 0.02), (8, 0.3)])
 def test_intervals_of_ringing_hold_what_they_promise(frequency, ratio):
-    found = [ring(seed, frequency, ratio, noise=1e-4).mode for seed in SEEDS]
+    modes = [ring(seed, frequency, ratio, noise=1e-4).mode for seed in SEEDS]
     omega = 2 * math.pi * frequency
     inside = [
-        (m.omega.low <= omega <= m.omega.high, m.damping_ratio.low <= ratio <= m.damping_ratio.high) for m in found
+        (m.omega.low <= omega <= m.omega.high, m.damping_ratio.low <= ratio <= m.damping_ratio.high) for m in modes
     ]
     assert (np.mean(inside, axis=0) >= LEAST_COVERED).all()
-    errors = np.std([m.omega.value for m in found]), np.std([m.damping_ratio.value for m in found])
+    errors = np.std([m.omega.value for m in modes]), np.std([m.damping_ratio.value for m in modes])
     widths = [
-        np.median([m.high - m.low for m in each])
-        for each in zip(*((m.omega, m.damping_ratio) for m in found), strict=True)
+        np.median([m.high - m.low for m in intervals])
+        for intervals in zip(*((m.omega, m.damping_ratio) for m in modes), strict=True)
     ]
     np.testing.assert_allclose(widths, 3.94 * np.array(errors), rtol=0.35)  # the sd of 40 is 11 % off, three times
 
@@ -121,12 +121,12 @@ def test_the_free_sheet_s_fragment_brings_back_its_frequency_and_damping():
 
 
 def test_k_b_and_c_b_scatter_together_as_their_correlation_says():
-    found = [ring(seed, 5, 0.05, noise=2e-4) for seed in SEEDS]
-    logs = np.log([(r.stiffness.value, r.damping.value) for r in found])
+    results = [ring(seed, 5, 0.05, noise=2e-4) for seed in SEEDS]
+    logs = np.log([(r.stiffness.value, r.damping.value) for r in results])
     said = (
-        np.median([r.stiffness.sd / r.stiffness.value for r in found]),
-        np.median([r.damping.sd / r.damping.value for r in found]),
+        np.median([r.stiffness.sd / r.stiffness.value for r in results]),
+        np.median([r.damping.sd / r.damping.value for r in results]),
     )
     np.testing.assert_allclose(logs.std(axis=0), said, rtol=0.35)  # the sd of 40 is 11 % off, three times
     # Correlations of 40 pairs are off by 0.16 (sd).
-    assert np.corrcoef(logs.T)[0, 1] == pytest.approx(np.median([r.correlation for r in found]), abs=0.45)
+    assert np.corrcoef(logs.T)[0, 1] == pytest.approx(np.median([r.correlation for r in results]), abs=0.45)

@@ -66,27 +66,27 @@ def test_a_noiseless_tilt_is_recovered_between_the_frames(static, kinetic, fps):
 
 def test_the_slip_angle_is_not_that_of_the_first_frame_that_shows_it():
     # 30 fps at 10 deg/s: the first frame that shows 3 sds of motion is late by a third of a degree and more.
-    late, found = [], []
+    late, errors = [], []
     for seed in range(12):
         time, angle, position = tilt_recording(0.75, 0.4, rate=math.radians(10), fps=30, rest=1.5, seed=seed)
-        seen = int(np.argmax(position > 3 * 3e-4))
-        late.append(math.degrees(smooth_tilt(time, angle).at(time[seen]) - math.atan(0.75)))
+        row = int(np.argmax(position > 3 * 3e-4))
+        late.append(math.degrees(smooth_tilt(time, angle).at(time[row]) - math.atan(0.75)))
         trial = identify_friction([TiltRecording("made up", time, angle, position)]).trials[0]
         assert trial.slip_angle is not None
-        found.append(math.degrees(trial.slip_angle.value - math.atan(0.75)))
+        errors.append(math.degrees(trial.slip_angle.value - math.atan(0.75)))
     assert np.median(late) > 0.3
     # Sds of the single trials are 0.02 deg: three of the mean of twelve.
-    assert abs(np.mean(found)) < 0.02
+    assert abs(np.mean(errors)) < 0.02
 
 
 def test_a_smoothed_angle_is_as_sure_as_it_says():
     time = np.linspace(0, 2, 121)
-    found = [smooth_tilt(time, 0.1 * time + np.random.default_rng(s).normal(0, 1e-3, 121)) for s in range(200)]
-    scatter = np.std([float(t.at(1.5)) for t in found])
-    said = math.sqrt(np.mean([t.sd(1.5) ** 2 for t in found]))
-    # A straight line has no bias: what is said for it, a factor √(0.354/0.265) = 1.16 inside, is spare.
+    tilts = [smooth_tilt(time, 0.1 * time + np.random.default_rng(s).normal(0, 1e-3, 121)) for s in range(200)]
+    scatter = np.std([float(t.at(1.5)) for t in tilts])
+    claimed = math.sqrt(np.mean([t.sd(1.5) ** 2 for t in tilts]))
+    # A straight line has no bias: what is claimed for it, a factor √(0.354/0.265) = 1.16 inside, is spare.
     # The scatter of 200 is 5 % off, three times.
-    assert 0.85 < said / scatter < 1.16 * 1.15
+    assert 0.85 < claimed / scatter < 1.16 * 1.15
 
 
 @pytest.mark.parametrize("ratio", [0.0, 0.3, 1 - 1e-9, 1.0, 1 + 1e-9, 3.0])
@@ -105,9 +105,9 @@ def test_the_matrix_pencil_is_exact_on_sums_of_decays():
     time = np.arange(200) / 400
     poles = np.array([-1 + 30j, -4 + 95j, -0.2 + 260j])
     signal = np.sum([np.real(w * np.exp(p * time)) for w, p in zip((1, 0.3j, 0.1), poles, strict=True)], axis=0)
-    found = matrix_pencil(signal, 1 / 400, 6)
-    found = np.sort_complex(1j * found[found.imag > 0])[::-1] / 1j
-    np.testing.assert_allclose(found, poles, rtol=1e-6)
+    fitted = matrix_pencil(signal, 1 / 400, 6)
+    fitted = np.sort_complex(1j * fitted[fitted.imag > 0])[::-1] / 1j
+    np.testing.assert_allclose(fitted, poles, rtol=1e-6)
 
 
 @pytest.mark.parametrize(

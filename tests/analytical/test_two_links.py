@@ -43,11 +43,12 @@ def test_undamped_links_keep_their_energy():
 def test_the_energy_shows_the_term_that_3_3_drops():
     joints = Joints(K_B, 0.0)
     start = (0.8, -0.9, 20.0, -30.0)
-    kept, dropped = (
-        np.ptp(energy(STRIP, joints, solve(joints, start, 0.2, 2000, centripetal=each))) for each in (True, False)
+    whole, dropped = (
+        np.ptp(energy(STRIP, joints, solve(joints, start, 0.2, 2000, centripetal=centripetal)))
+        for centripetal in (True, False)
     )
     # The term does work that no energy accounts for: orders of magnitude above the drift of the integration.
-    assert dropped > 1000 * kept
+    assert dropped > 1000 * whole
 
 
 def test_damping_only_takes_energy():
@@ -123,5 +124,5 @@ def test_markers_give_the_angles_they_were_made_from():
     links = np.stack([np.stack([np.cos(a), -np.sin(a)], axis=1) for a in (phi_1, phi_1 + phi_2)], axis=1)
     markers = np.concatenate([np.zeros((50, 1, 2)), np.cumsum(links, axis=1)], axis=1) * 37 + (5, 7)
     for mirrored in (1, -1):
-        found = angles_of_markers(markers * (mirrored, 1))
-        np.testing.assert_allclose(found, (phi_1, phi_2), atol=1e-12)  # rounding
+        angles = angles_of_markers(markers * (mirrored, 1))
+        np.testing.assert_allclose(angles, (phi_1, phi_2), atol=1e-12)  # rounding

@@ -42,8 +42,8 @@ def test_an_example_becomes_a_fragment_that_simulates(tmp_path, kind, field, val
     assert (tmp_path / "p.png").stat().st_size > 10_000
     data = tomllib.loads((tmp_path / "f.toml").read_text())
     section, _, name = field.partition(".")
-    found = data[section][name]
-    assert (float(str(found).split()[0])) == pytest.approx(value, rel=within)
+    written = data[section][name]
+    assert (float(str(written).split()[0])) == pytest.approx(value, rel=within)
     assert field in data["uncertainty"]["sd"]
     done = plategait("simulate", "cheese", "--with", "f.toml", "--draws", "4", "--duration", "0.2 s", "--json",
                      cwd=tmp_path, check=0)  # fmt: skip

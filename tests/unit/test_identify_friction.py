@@ -206,7 +206,7 @@ def test_a_signal_that_rests_or_is_noise_rings_nowhere():
     for signal in (np.zeros_like(time), np.full_like(time, 0.01), 0.01 + noise, 0.01 + 1e-3 * time + noise):
         result = rung(time, signal)
         assert result.stiffness is None
-        assert result.chosen is None
+        assert result.mode_index is None
         assert "not determined" in result.notes[-1]
 
 
@@ -233,8 +233,8 @@ def test_rows_before_the_release_are_left_out_when_told():
     time, y = ring_recording([5], [0.03], seed=1)
     held = np.arange(-0.4, 0, 1 / 400)
     time, y = np.r_[held, time], np.r_[np.full(len(held), y[0]), y]
-    told = rung(time, y, start=0.0)
-    assert told.mode.omega.low <= 10 * math.pi <= told.mode.omega.high
+    windowed = rung(time, y, start=0.0)
+    assert windowed.mode.omega.low <= 10 * math.pi <= windowed.mode.omega.high
     assert any("--from" in n for n in rung(time, y).notes)
 
 
@@ -313,11 +313,11 @@ def test_the_friction_command_writes_prints_and_says_how_it_went(tmp_path, capsy
         write_tilt(path, *tilt_recording(0.75, 0.4, seed=i))
     out, plot = tmp_path / "f.toml", tmp_path / "f.png"
     status, text = call(friction, *paths, "--out", out, "--plot", plot, "--json", capsys=capsys)
-    found = json.loads(text)
+    numbers = json.loads(text)
     assert status == 0
-    assert read_fragment(out).parameters["friction.static"].value == pytest.approx(found["friction_static"]["value"])
+    assert read_fragment(out).parameters["friction.static"].value == pytest.approx(numbers["friction_static"]["value"])
     assert plot.stat().st_size > 5000
-    assert [t["name"] for t in found["trials"]] == ["0.csv", "1.csv"]
+    assert [t["name"] for t in numbers["trials"]] == ["0.csv", "1.csv"]
     status, text = call(friction, *paths, capsys=capsys)
     assert "mean of all" in text
     t = np.arange(0, 4, 0.01)
@@ -333,10 +333,10 @@ def test_the_modes_command_writes_prints_and_says_how_it_went(tmp_path, capsys):
     path, out, plot = tmp_path / "r.csv", tmp_path / "r.toml", tmp_path / "r.svg"
     write_ring(path, *ring_recording([5, 31], [0.03, 0.05], amplitudes=[5e-3, 1e-3]))
     status, text = call(ring, path, "--out", out, "--plot", plot, "--json", capsys=capsys)
-    found = json.loads(text)
+    numbers = json.loads(text)
     assert status == 0
     # Noise of 1 % of the amplitude over ten cycles: 0.05 %.
-    assert found["natural_frequency_rad_s"]["value"] == pytest.approx(10 * math.pi, rel=2e-3)
+    assert numbers["natural_frequency_rad_s"]["value"] == pytest.approx(10 * math.pi, rel=2e-3)
     assert set(read_fragment(out).parameters) == {"sheet.bending_stiffness", "sheet.bending_damping"}
     assert plot.stat().st_size > 5000
     status, text = call(ring, path, "--mode", 2, "--support", "cantilever", "--length", "15 mm", capsys=capsys)

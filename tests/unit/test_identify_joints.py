@@ -65,12 +65,12 @@ def pressed(press):
 
 def test_a_smooth_series_has_the_derivatives_of_what_it_follows():
     t = np.linspace(0, 1, 200)
-    found = smooth(t, np.sin(9 * t) + 1e-3 * np.random.default_rng(0).normal(size=200))
-    assert found.sd == pytest.approx(1e-3, rel=0.2)  # a standard deviation of 200: 5 %, four of them
+    spline = smooth(t, np.sin(9 * t) + 1e-3 * np.random.default_rng(0).normal(size=200))
+    assert spline.sd == pytest.approx(1e-3, rel=0.2)  # a standard deviation of 200: 5 %, four of them
     # Three of the noise's standard deviations, over √(200/15) samples per coefficient, grown by differentiation.
-    np.testing.assert_allclose(found(t), np.sin(9 * t), atol=1.5e-3)
-    np.testing.assert_allclose(found(t, 1)[5:-5], 9 * np.cos(9 * t)[5:-5], atol=0.15)
-    np.testing.assert_allclose(found.matrix(t, 1) @ found.coefficients, found(t, 1), atol=1e-9)  # rounding
+    np.testing.assert_allclose(spline(t), np.sin(9 * t), atol=1.5e-3)
+    np.testing.assert_allclose(spline(t, 1)[5:-5], 9 * np.cos(9 * t)[5:-5], atol=0.15)
+    np.testing.assert_allclose(spline.matrix(t, 1) @ spline.coefficients, spline(t, 1), atol=1e-9)  # rounding
 
 
 def test_a_straight_series_is_not_made_to_wriggle():
@@ -95,19 +95,19 @@ def test_a_fit_weights_each_channel_by_its_own_scatter():
     rng = np.random.default_rng(5)
     t = np.linspace(0, 1, 400)
     data = np.stack([2 * t + 0.01 * rng.normal(size=400), 2 * t + 1.0 * rng.normal(size=400)], axis=1)
-    found = fit(lambda p: np.stack([t[:, None] * p[0]] * 2, axis=1), data, np.ones(1), -np.full(1, 9), np.full(1, 9))
+    fitted = fit(lambda p: np.stack([t[:, None] * p[0]] * 2, axis=1), data, np.ones(1), -np.full(1, 9), np.full(1, 9))
     # As the sharp channel alone: 0.01/√(Σt²) = 0.01/√133; unweighted it would be seventy times as much.
-    assert found.measured(0, 1.0).sd == pytest.approx(0.01 / math.sqrt(np.sum(t**2)), rel=0.1)
-    assert abs(found.parameters[0] - 2) < 4 * found.measured(0, 1.0).sd
+    assert fitted.measured(0, 1.0).sd == pytest.approx(0.01 / math.sqrt(np.sum(t**2)), rel=0.1)
+    assert abs(fitted.parameters[0] - 2) < 4 * fitted.measured(0, 1.0).sd
 
 
 def test_what_moves_nothing_is_not_known():
     t = np.linspace(0, 1, 50)
     data = (t + 0.01 * np.random.default_rng(0).normal(size=50))[:, None]
-    found = fit(lambda p: t[:, None, None] * p[0], data, np.ones(2), -np.full(2, 9.0), np.full(2, 9.0))
-    assert determined(found.measured(0, 1.0))
-    assert found.measured(1, 1.0).sd == math.inf
-    assert not determined(found.measured(1, 1.0))
+    fitted = fit(lambda p: t[:, None, None] * p[0], data, np.ones(2), -np.full(2, 9.0), np.full(2, 9.0))
+    assert determined(fitted.measured(0, 1.0))
+    assert fitted.measured(1, 1.0).sd == math.inf
+    assert not determined(fitted.measured(1, 1.0))
 
 
 @pytest.mark.parametrize(
@@ -283,9 +283,9 @@ def test_a_strip_that_creeps_is_followed_by_the_measured_wall_alone(monkeypatch)
 
 
 def test_a_free_wall_is_reported(strip):
-    found = identify_bending(strip.angles, wall="free")
-    assert found.wall_stiffness is not None
-    assert found.wall_stiffness.low < K_B < found.wall_stiffness.high
+    result = identify_bending(strip.angles, wall="free")
+    assert result.wall_stiffness is not None
+    assert result.wall_stiffness.low < K_B < result.wall_stiffness.high
     assert identify_bending(strip.angles, wall="joint").wall_stiffness is None
 
 
@@ -299,19 +299,19 @@ def test_what_a_press_shows(pressed):
 def test_an_offset_takes_up_preload_and_touch():
     made = press_recording(K_S, C_S, rows=60, touch=2e-5, preload=0.3, seed=4)
     shifted = Pressing(made.time, made.displacement, made.force)
-    found, wrong = identify_compression(shifted, offset=True), identify_compression(shifted)
-    assert found.surface_stiffness.low < K_S < found.surface_stiffness.high
-    assert found.offset is not None
-    assert found.offset.low < 0.3 - K_S * 2e-5 < found.offset.high
+    result, wrong = identify_compression(shifted, offset=True), identify_compression(shifted)
+    assert result.surface_stiffness.low < K_S < result.surface_stiffness.high
+    assert result.offset is not None
+    assert result.offset.low < 0.3 - K_S * 2e-5 < result.offset.high
     assert any("misses" in note for note in wrong.notes)
 
 
 def test_a_slow_press_tells_no_damping():
     made = press_recording(K_S, C_S, duration=10.0, rows=200, seed=5)
-    found = identify_compression(Pressing(made.time, made.displacement, made.force))
-    assert list(found.parameters) == ["sheet.axial_stiffness"]
-    assert any("damping c_s not determined" in note for note in found.notes)
-    fragment = found.to_fragment()
+    result = identify_compression(Pressing(made.time, made.displacement, made.force))
+    assert list(result.parameters) == ["sheet.axial_stiffness"]
+    assert any("damping c_s not determined" in note for note in result.notes)
+    fragment = result.to_fragment()
     assert fragment.correlation is None
 
 
@@ -319,9 +319,9 @@ def test_the_regressions_of_the_source_are_near(strip, press, sagged, pressed):
     assert identify_bending(strip.angles, method="regression").stiffness.value == pytest.approx(
         sagged.stiffness.value, rel=0.05
     )  # its own scatter is 1 % at this noise
-    found = identify_compression(press, method="regression", offset=True)
-    assert found.surface_stiffness.value == pytest.approx(K_S, rel=0.05)
-    assert found.surface_damping.value == pytest.approx(C_S, rel=0.3)
+    result = identify_compression(press, method="regression", offset=True)
+    assert result.surface_stiffness.value == pytest.approx(K_S, rel=0.05)
+    assert result.surface_damping.value == pytest.approx(C_S, rel=0.3)
 
 
 def test_a_million_rows_take_seconds():
@@ -330,12 +330,12 @@ def test_a_million_rows_take_seconds():
     base = cantilever_recording(K_B, C_B, rows=480, jitter=0.0).angles
     slow, fast = np.arange(n) / 480, np.arange(n) * 8e-7
     for t in (slow, fast):
-        phi = [np.interp(t, base.time, each) + 0.01 * rng.normal(size=n) for each in (base.phi_1, base.phi_2)]
+        phi = [np.interp(t, base.time, angles) + 0.01 * rng.normal(size=n) for angles in (base.phi_1, base.phi_2)]
         begun = time.process_time()
-        found = identify_bending(Angles(t, *phi))
+        result = identify_bending(Angles(t, *phi))
         assert time.process_time() - begun < 20  # s of both cores; found: 3
-        assert found.stiffness.value == pytest.approx(K_B, rel=0.05)
-        assert any("thinned" in note or "only the first" in note for note in found.notes)
+        assert result.stiffness.value == pytest.approx(K_B, rel=0.05)
+        assert any("thinned" in note or "only the first" in note for note in result.notes)
     made = press_recording(K_S, C_S, rows=n, seed=7)
     begun = time.process_time()
     result = identify_compression(Pressing(made.time, made.displacement, made.force))

@@ -33,8 +33,8 @@ def test_the_44_curves_are_four_objects_at_each_amplitude_and_every_friction_ang
     ],
 )
 def test_the_source_s_estimator_is_the_published_one(angle, of, powers, sd, domain):
-    known = line("linear", "published", angle, of)
-    assert (known.powers, known.sd, (known.low, known.high)) == (powers, sd, domain)
+    calibrated = line("linear", "published", angle, of)
+    assert (calibrated.powers, calibrated.sd, (calibrated.low, calibrated.high)) == (powers, sd, domain)
 
 
 def test_table_4_1_is_called_10_pi():
@@ -45,8 +45,8 @@ def test_table_4_1_is_called_10_pi():
 
 
 def test_what_is_estimated_at_10_pi_is_the_sheet_of_table_4_1():
-    found = LinearEstimate(10 * math.pi, 0.1, math.atan(0.75), 0.01, "linear", "published", ())
-    fragment = found.to_fragment(TABLE_4_1)
+    estimate = LinearEstimate(10 * math.pi, 0.1, math.atan(0.75), 0.01, "linear", "published", ())
+    fragment = estimate.to_fragment(TABLE_4_1)
     assert fragment.parameters["sheet.bending_stiffness"].value == pytest.approx(TABLE_4_1.sheet.bending_stiffness)
 
 

@@ -183,10 +183,8 @@ def estimate(
         list[Path],
         typer.Argument(metavar="CURVE.csv...", help="Columns frequency_hz, spin_rate_deg_s, …; one or more."),
     ],
+    *,
     setup: SetupOptions,
-    measurement: MeasurementOptions,
-    planning: PlanOptions,
-    output: OutputOptions,
     method: Annotated[
         Method, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")
     ] = "posterior",
@@ -194,7 +192,10 @@ def estimate(
         Coefficients | None,
         typer.Option("--coefficients", help="Of linear: published, or refitted to our simulations as quadratic's are."),
     ] = None,
+    measurement: MeasurementOptions,
+    planning: PlanOptions,
     seed: options.Seed = 0,
+    output: OutputOptions,
 ) -> None:
     """Read stiffness and friction off measured spin curves, with intervals."""
     from plategait.curve.curve_file import read_curve

@@ -29,7 +29,7 @@ _SIGNIFICANT = 2.0  # standard errors beyond which a correlation of neighbouring
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """What a fit found.
+    """Parameters that were fitted, with their covariance.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class Fit:
         return interval(scale * self.parameters[i], abs(scale) * math.sqrt(self.covariance[i, i]), self.dof)
 
     @property
-    def missing(self) -> str:
+    def structure_note(self) -> str:
         """What to say where the residuals are structured."""
         return (
             f"neighbouring residuals correlate by {self.structure:.2f}, intervals widened: the model misses something"
@@ -72,13 +72,13 @@ def interval(value: float, sd: float, dof: float) -> Measured:
     from scipy.special import stdtrit
 
     if not math.isfinite(sd):
-        return unknown(value)
+        return unbounded(value)
     reach = float(stdtrit(max(dof, 1.0), (1 + CONFIDENCE) / 2)) * float(sd)
     return Measured(float(value), float(sd), float(value) - reach, float(value) + reach)
 
 
-def unknown(value: float) -> Measured:
-    """Value of which nothing is known."""
+def unbounded(value: float) -> Measured:
+    """Value whose interval is infinite: nothing is known of it."""
     return Measured(float(value), math.inf, -math.inf, math.inf)
 
 
@@ -87,12 +87,12 @@ def determined(measured: Measured) -> bool:
     return bool(measured.low > 0 and measured.high - measured.low <= abs(measured.value))
 
 
-def known(measured: Measured | None) -> Measured | None:
+def if_determined(measured: Measured | None) -> Measured | None:
     """The same where it is determined, else None."""
     return measured if measured is not None and determined(measured) else None
 
 
-def undetermined(name: str, measured: Measured, factor: float, unit: str) -> list[str]:
+def undetermined_note(name: str, measured: Measured, factor: float, unit: str) -> list[str]:
     """What to say of a parameter that is not determined; nothing of one that is."""
     if determined(measured):
         return []
@@ -132,30 +132,30 @@ def fit(model: Model, data: Array, start: Array, lower: Array, upper: Array, *, 
     n, channels = data.shape
     size = np.maximum(np.ptp(data, axis=0), np.finfo(float).tiny)
     weight, floor = np.diag(size**-2), np.diag((_NO_NOISE * size) ** 2)
-    here = _at(model, data, np.clip(start, lower, upper), lower, upper)
+    point = _at(model, data, np.clip(start, lower, upper), lower, upper)
     for _ in range(_PASSES):
-        before, here = here, _minimise(model, data, here, weight, lower, upper)
-        normal = _normal(here.slopes, weight)
-        weight = np.asarray(np.linalg.inv(_scatter(here, normal, weight, correlated) + floor), dtype=float)
-        if np.max(np.abs(here.parameters - before.parameters)) < _SETTLED:
+        before, point = point, _minimise(model, data, point, weight, lower, upper)
+        normal = _normal(point.slopes, weight)
+        weight = np.asarray(np.linalg.inv(_scatter(point, normal, weight, correlated) + floor), dtype=float)
+        if np.max(np.abs(point.parameters - before.parameters)) < _SETTLED:
             break
-    whitened = here.missed @ np.linalg.cholesky(weight)
+    whitened = point.residual @ np.linalg.cholesky(weight)
     correlation = max(structure(whitened[:, c]) for c in range(channels))
     structured = correlation > _SIGNIFICANT / math.sqrt(n)
     widening = (1 + correlation) / (1 - correlation) if structured else 1.0
-    normal = _normal(here.slopes, weight)
+    normal = _normal(point.slopes, weight)
     covariance = widening * _inverse(normal)
     # What moves nothing is not known at all.
     covariance[np.diag_indices(len(start))] += np.where(np.diag(normal) > 0, 0.0, np.inf)
-    return Fit(here.parameters, covariance, correlation, structured, (n * channels - len(start)) / widening)
+    return Fit(point.parameters, covariance, correlation, structured, (n * channels - len(start)) / widening)
 
 
 @dataclass(frozen=True, eq=False)
 class _Point:
-    """Parameters (p,), what they miss of the data (n, channels), and the slopes of that (n, channels, p)."""
+    """Parameters (p,), their residuals (n, channels), and the slopes of these (n, channels, p)."""
 
     parameters: Array
-    missed: Array
+    residual: Array
     slopes: Array
 
 
@@ -164,17 +164,17 @@ def _at(model: Model, data: Array, p: Array, lower: Array, upper: Array) -> _Poi
     steps = np.where(p + _STEP > upper, -_STEP, _STEP)  # they point into the limits
     with np.errstate(all="ignore"):  # what diverges is put right below
         moved = model(np.column_stack([p, p[:, None] + np.diag(steps)]))
-        missed = np.clip(np.nan_to_num(moved[:, :, 0] - data, nan=_HUGE), -_HUGE, _HUGE)
+        residual = np.clip(np.nan_to_num(moved[:, :, 0] - data, nan=_HUGE), -_HUGE, _HUGE)
         slopes = (moved[:, :, 1:] - moved[:, :, :1]) / steps
-    return _Point(p, missed, np.nan_to_num(np.clip(slopes, -_HUGE, _HUGE)))
+    return _Point(p, residual, np.nan_to_num(np.clip(slopes, -_HUGE, _HUGE)))
 
 
-def _minimise(model: Model, data: Array, here: _Point, weight: Array, lower: Array, upper: Array) -> _Point:
+def _minimise(model: Model, data: Array, point: _Point, weight: Array, lower: Array, upper: Array) -> _Point:
     """Levenberg–Marquardt between limits, on the normal equations: there are many rows and few parameters."""
-    damping, cost = _DAMPING, _cost(here, weight)
+    damping, cost = _DAMPING, _cost(point, weight)
     for _ in range(_EVALUATIONS):
-        p, normal = here.parameters, _normal(here.slopes, weight)
-        gradient = np.einsum("ncp,cd,nd->p", here.slopes, weight, here.missed, optimize=True)
+        p, normal = point.parameters, _normal(point.slopes, weight)
+        gradient = np.einsum("ncp,cd,nd->p", point.slopes, weight, point.residual, optimize=True)
         loose = ~((p <= lower) & (gradient > 0) | (p >= upper) & (gradient < 0)) & (np.diag(normal) > 0)
         step = np.zeros_like(p)
         inner = normal[np.ix_(loose, loose)]
@@ -182,16 +182,16 @@ def _minimise(model: Model, data: Array, here: _Point, weight: Array, lower: Arr
         trial = _at(model, data, np.clip(p + step, lower, upper), lower, upper)
         gained = cost - _cost(trial, weight)
         if gained >= 0:
-            here, cost, damping = trial, cost - gained, damping / 10
+            point, cost, damping = trial, cost - gained, damping / 10
         else:
             damping *= 10
         if abs(gained) <= _PRECISION * cost or damping > 1 / _PRECISION:
             break
-    return here
+    return point
 
 
 def _cost(point: _Point, weight: Array) -> float:
-    return float(np.sum((point.missed @ weight) * point.missed))
+    return float(np.sum((point.residual @ weight) * point.residual))
 
 
 def _normal(slopes: Array, weight: Array) -> Array:
@@ -205,13 +205,13 @@ def _inverse(normal: Array) -> Array:
     return np.asarray(np.linalg.pinv(normal / np.outer(size, size), hermitian=True)) / np.outer(size, size)
 
 
-def _scatter(here: _Point, normal: Array, weight: Array, correlated: bool) -> Array:
+def _scatter(point: _Point, normal: Array, weight: Array, correlated: bool) -> Array:
     """Covariance (channels, channels) of the residuals.
 
     Each channel's residuals have lost the freedom that the parameters took from it, which the diagonal of the hat
     matrix counts.
     """
-    taken = np.einsum("pq,ncp,cd,ndq->c", _inverse(normal), here.slopes, weight, here.slopes, optimize=True)
-    spare = np.sqrt(np.maximum(len(here.missed) - taken, 1.0))
-    covariance = here.missed.T @ here.missed / np.outer(spare, spare)
+    taken = np.einsum("pq,ncp,cd,ndq->c", _inverse(normal), point.slopes, weight, point.slopes, optimize=True)
+    spare = np.sqrt(np.maximum(len(point.residual) - taken, 1.0))
+    covariance = point.residual.T @ point.residual / np.outer(spare, spare)
     return covariance if correlated else np.diag(np.diag(covariance))

@@ -50,7 +50,7 @@ class Window:
             hint = f"--from {_text(time[0])} --to {_text(time[-1])}" if len(time) >= least else "a longer recording"
             raise InputError("recording", f"{inside.sum()} rows within the times asked for", f"at least {least} rows",
                              hint)  # fmt: skip
-        return tuple(each[inside] for each in (time, *series))
+        return tuple(values[inside] for values in (time, *series))
 
 
 def _text(seconds: float) -> str:
@@ -63,7 +63,7 @@ def thin(time: Array, *series: Array, most: int = MOST_ROWS) -> tuple[list[Array
     if block == 1:
         return [time, *series], 1
     whole = len(time) // block * block
-    return [each[:whole].reshape(-1, block).mean(axis=1) for each in (time, *series)], block
+    return [values[:whole].reshape(-1, block).mean(axis=1) for values in (time, *series)], block
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,8 +111,8 @@ def smooth(time: Array, values: Array) -> Smooth:
         Rising, s.
     values : (n,) array
     """
-    found = min((_spline(time, values, degree, k) for degree, k in _candidates(len(time))), key=lambda each: each[0])
-    return found[1]
+    splines = (_spline(time, values, degree, intervals) for degree, intervals in _candidates(len(time)))
+    return min(splines, key=lambda scored: scored[0])[1]
 
 
 def follow(time: Array, values: Array) -> Smooth:

@@ -28,7 +28,7 @@ class Measured:
     high: float
 
 
-def numbers(measured: Measured | None, factor: float = 1.0) -> dict[str, Any] | None:
+def as_json(measured: Measured | None, factor: float = 1.0) -> dict[str, Any] | None:
     """Value, sd and interval times `factor`, for JSON; None where it is not determined."""
     if measured is None:
         return None
@@ -36,7 +36,7 @@ def numbers(measured: Measured | None, factor: float = 1.0) -> dict[str, Any] | 
     return {"value": m.value * factor, "sd": m.sd * factor, "interval": [m.low * factor, m.high * factor]}
 
 
-def words(measured: Measured | None, form: str = ".4g", factor: float = 1.0) -> str:
+def as_text(measured: Measured | None, form: str = ".4g", factor: float = 1.0) -> str:
     """Value and interval times `factor`, for a table."""
     if measured is None:
         return "not determined"

@@ -117,7 +117,7 @@ def two_link_rate(strip: Strip, joints: Joints, *, centripetal: bool = True) -> 
     """Rate of change of the state (φ1, φ2, φ1', φ2') of both links, (4, batch) to (4, batch)."""
     inertia, weight = strip.inertia, strip.weight
     k_1, c_1 = joints.wall
-    kept = 0.5 * inertia * centripetal
+    coupling = 0.5 * inertia * centripetal
 
     def rate(_: int, state: Array) -> Array:
         phi_1, phi_2, v_1, v_2 = state
@@ -125,7 +125,7 @@ def two_link_rate(strip: Strip, joints: Joints, *, centripetal: bool = True) -> 
         # Symmetric mass matrix [[a, b], [b, c]] and moments of the two equations.
         a, b, c = inertia * (1.5 + cos_2), inertia * (0.25 + 0.5 * cos_2), 0.25 * inertia
         first = tip + 1.5 * weight * np.cos(phi_1) + inertia * sin_2 * v_2 * (v_1 + 0.5 * v_2) - k_1 * phi_1 - c_1 * v_1
-        second = tip - kept * sin_2 * v_1 * v_1 - joints.k_b * phi_2 - joints.c_b * v_2
+        second = tip - coupling * sin_2 * v_1 * v_1 - joints.k_b * phi_2 - joints.c_b * v_2
         determinant = a * c - b * b
         return np.stack([v_1, v_2, (c * first - b * second) / determinant, (a * second - b * first) / determinant])
 
@@ -143,13 +143,13 @@ def driven_rate(
         φ1, φ1' and φ1'' at every half step of the integration.
     """
     inertia, weight = strip.inertia, strip.weight
-    kept = 0.5 * inertia * centripetal
+    coupling = 0.5 * inertia * centripetal
 
     def rate(half_step: int, state: Array) -> Array:
         phi_2, v_2 = state
         moment = 0.5 * weight * np.cos(phi_1[half_step] + phi_2) - joints.k_b * phi_2 - joints.c_b * v_2
         moment -= 0.25 * inertia * (1 + 2 * np.cos(phi_2)) * acc_1[half_step]
-        moment -= kept * np.sin(phi_2) * rate_1[half_step] ** 2
+        moment -= coupling * np.sin(phi_2) * rate_1[half_step] ** 2
         return np.stack([v_2, moment / (0.25 * inertia)])
 
     return rate
@@ -200,9 +200,9 @@ def between(states: Array, step: float, time: Array) -> Array:
     angles = states.shape[1] // 2
     place = np.clip((time / step).astype(int), 0, max(len(states) - 2, 0))
     u = (time / step - place)[:, None, None]
-    here, there = states[place], states[np.minimum(place + 1, len(states) - 1)]
-    position = (1 + 2 * u) * (1 - u) ** 2 * here[:, :angles] + u**2 * (3 - 2 * u) * there[:, :angles]
-    return position + step * (u * (1 - u) ** 2 * here[:, angles:] - u**2 * (1 - u) * there[:, angles:])
+    left, right = states[place], states[np.minimum(place + 1, len(states) - 1)]
+    position = (1 + 2 * u) * (1 - u) ** 2 * left[:, :angles] + u**2 * (3 - 2 * u) * right[:, :angles]
+    return position + step * (u * (1 - u) ** 2 * left[:, angles:] - u**2 * (1 - u) * right[:, angles:])
 
 
 def energy(strip: Strip, joints: Joints, state: Array) -> Array:
@@ -220,7 +220,7 @@ def fastest_rates(strip: Strip, joints: Joints) -> tuple[float, float]:
     (k_1, c_1), k_b, c_b = joints.wall, joints.k_b, joints.c_b
     mass = strip.inertia * np.array([[2.5, 0.75], [0.75, 0.25]])
     stiffness, damping = (np.diag([np.max(one), np.max(two)]) for one, two in ((k_1, k_b), (c_1, c_b)))
-    squares, decays = (np.linalg.eigvals(np.linalg.solve(mass, each)).real.max() for each in (stiffness, damping))
+    squares, decays = (np.linalg.eigvals(np.linalg.solve(mass, matrix)).real.max() for matrix in (stiffness, damping))
     return float(np.sqrt(squares)), float(decays)
 
 

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Protocol
 
 import typer
 
-from plategait.cli import report
+from plategait.cli import options, report
 from plategait.files.output import PICTURES, check_outputs
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from plategait.identify.series import Window
     from plategait.model.fragment import Fragment
 
 LENGTH = Quantity("m", "mm", "10 mm", above=0, at_most=1)
 TIME = Quantity("s", "s", "0.05 s")
-
-Out = Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")]
 
 
 class Result(Protocol):
@@ -35,36 +35,43 @@ class Result(Protocol):
         ...
 
 
-def check_files(out: Path | None, plot: Path | None) -> None:
-    """Refuse a fragment or a picture that cannot be written before any work is done."""
-    check_outputs((out, (".toml",), "--out"), (plot, PICTURES, "--plot"))
+def between(start: str | None, end: str | None) -> Window:
+    """Times of --from and --to, s; open where left out."""
+    from plategait.identify.series import Window
+
+    low = -float("inf") if start is None else TIME.read(start, "--from")
+    return Window(low, float("inf") if end is None else TIME.read(end, "--to"))
 
 
-def between(start: str | None, end: str | None) -> tuple[float, float]:
-    """Times of --from and --to, s; infinite where left out."""
-    low = TIME.read(start, "--from") if start is not None else -float("inf")
-    return low, TIME.read(end, "--to") if end is not None else float("inf")
+@dataclass(frozen=True)
+class OutputOptions:
+    """What is written and printed."""
 
+    out: Annotated[Path | None, typer.Option("--out", help="Write the result to lay over a scenario: .toml.")] = None
+    plot: options.Plot = None
+    as_json: options.Json = False
 
-def deliver(
-    result: Result,
-    determined: bool,
-    *,
-    out: Path | None,
-    plot: Path | None,
-    as_json: bool,
-    draw: Callable[[], Figure],
-    show: Callable[[], object],
-    answered: bool | None = None,
-) -> None:
-    """Write the fragment, if there is one, and the picture; print; leave with 0, or 1 where there is no answer."""
-    if out and determined:
-        from plategait.model.fragment import write_fragment
+    def check(self) -> None:
+        """Refuse a fragment or a picture that cannot be written before any work is done."""
+        check_outputs((self.out, (".toml",), "--out"), (self.plot, PICTURES, "--plot"))
 
-        write_fragment(result.to_fragment(), out)
-    if plot:
-        from plategait.plots.style import save
+    def deliver(
+        self,
+        result: Result,
+        *,
+        determined: bool,
+        answered: bool,
+        draw: Callable[[], Figure],
+        show: Callable[[], object],
+    ) -> None:
+        """Write the fragment, if anything is determined, and the picture; print; leave with 0, or 1 if not answered."""
+        if self.out and determined:
+            from plategait.model.fragment import write_fragment
 
-        save(draw(), plot)
-    report.print_json(result.summary()) if as_json else show()
-    raise typer.Exit(0 if (determined if answered is None else answered) else 1)
+            write_fragment(result.to_fragment(), self.out)
+        if self.plot:
+            from plategait.plots.style import save
+
+            save(draw(), self.plot)
+        report.print_json(result.summary()) if self.as_json else show()
+        raise typer.Exit(0 if answered else 1)

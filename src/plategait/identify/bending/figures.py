@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plategait.identify.bending.result import PER_DEGREE, BendingResult
-from plategait.identify.fit import known
-from plategait.model.measured import words
+from plategait.identify.fit import if_determined
+from plategait.model.measured import as_text
 from plategait.plots.style import BLUE, GREY
 
 
@@ -30,8 +30,8 @@ def plot_bending(result: BendingResult) -> Figure:
     for axes in panels:
         axes.spines[["top", "right"]].set_visible(False)
     figure.suptitle(
-        f"$k_b$ = {words(known(result.stiffness), '.3g', PER_DEGREE)} N mm/deg\n"
-        f"$c_b$ = {words(known(result.damping), '.3g', PER_DEGREE)} N mm/(deg/s),  "
+        f"$k_b$ = {as_text(if_determined(result.stiffness), '.3g', PER_DEGREE)} N mm/deg\n"
+        f"$c_b$ = {as_text(if_determined(result.damping), '.3g', PER_DEGREE)} N mm/(deg/s),  "
         f"missed {math.degrees(result.residual_rms):.2g} deg rms",
         x=0.01, ha="left", fontsize=10,
     )  # fmt: skip

@@ -10,11 +10,11 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.identify.bending.sag import Wall, follow_wall, prepare, regress, simulate_both
-from plategait.identify.fit import determined, fragment_of, known, scaled, undetermined
+from plategait.identify.bending.sag import SagCase, SagFit, Wall, follow_wall, prepare, regress, simulate_both
+from plategait.identify.fit import determined, fragment_of, if_determined, scaled, undetermined_note
 from plategait.identify.series import Window
 from plategait.model.fragment import Fragment
-from plategait.model.measured import Measured, numbers
+from plategait.model.measured import Measured, as_json
 from plategait.theory.two_links import LEAST_ROWS, Angles, Strip
 
 Method = Literal["trajectory", "regression"]
@@ -71,7 +71,7 @@ class BendingResult:
     def parameters(self) -> dict[str, Measured]:
         """Parameters that the recording determines, by their name in a scenario."""
         both = {"sheet.bending_stiffness": self.stiffness, "sheet.bending_damping": self.damping}
-        return {name: each for name, each in both.items() if determined(each)}
+        return {name: measured for name, measured in both.items() if determined(measured)}
 
     def to_fragment(self) -> Fragment:
         """Part of a scenario with what was determined."""
@@ -81,11 +81,11 @@ class BendingResult:
     def summary(self) -> dict[str, Any]:
         """Numbers for a program, in the units of Table 4.1."""
         return {
-            "bending_stiffness_n_mm_per_deg": numbers(known(self.stiffness), PER_DEGREE),
-            "bending_damping_n_mm_s_per_deg": numbers(known(self.damping), PER_DEGREE),
+            "bending_stiffness_n_mm_per_deg": as_json(if_determined(self.stiffness), PER_DEGREE),
+            "bending_damping_n_mm_s_per_deg": as_json(if_determined(self.damping), PER_DEGREE),
             "correlation": self.correlation,
-            "wall_stiffness_n_mm_per_deg": numbers(known(self.wall_stiffness), PER_DEGREE),
-            "wall_damping_n_mm_s_per_deg": numbers(known(self.wall_damping), PER_DEGREE),
+            "wall_stiffness_n_mm_per_deg": as_json(if_determined(self.wall_stiffness), PER_DEGREE),
+            "wall_damping_n_mm_s_per_deg": as_json(if_determined(self.wall_damping), PER_DEGREE),
             "method": self.method,
             "wall": self.wall,
             "link_mass_g": 1e3 * self.strip.mass,
@@ -139,29 +139,32 @@ def identify_bending(
     for option, got, allowed in (("--method", method, get_args(Method)), ("--wall", wall, get_args(Wall))):
         if got not in allowed:
             raise InputError(option, got, f"one of {', '.join(allowed)}", allowed[0])
-    used = (window or Window()).cut(recording.time, recording.phi_1, recording.phi_2, least=LEAST_ROWS)
-    _check(*used[1:])
-    case, notes = prepare(strip, used, centripetal)
-    if method == "regression":
-        found = regress(case)
-    else:
-        found = follow_wall(case) if wall == "measured" else simulate_both(case, wall)
+    rows = (window or Window()).cut(recording.time, recording.phi_1, recording.phi_2, least=LEAST_ROWS)
+    _check(*rows[1:])
+    case, notes = prepare(strip, rows, centripetal)
+    sag = _fit_sag(case, method, wall)
     scale = 1.0 if width is None else strip.length / width
     result = BendingResult(
-        stiffness=scaled(found.stiffness, scale),
-        damping=scaled(found.damping, scale),
-        correlation=found.correlation,
+        stiffness=scaled(sag.stiffness, scale),
+        damping=scaled(sag.damping, scale),
+        correlation=sag.correlation,
         method=method,
         wall=wall if method == "trajectory" else "measured",
-        wall_stiffness=found.wall_stiffness,
-        wall_damping=found.wall_damping,
+        wall_stiffness=sag.wall_stiffness,
+        wall_damping=sag.wall_damping,
         strip=strip,
         time=case.begun + case.t,
         phi_2=case.phi[:, 1],
-        reconstruction=found.reconstruction,
+        reconstruction=sag.reconstruction,
         notes=(),
     )
-    return replace(result, notes=(*notes, *found.notes, *_doubts(result)))
+    return replace(result, notes=(*notes, *sag.notes, *_doubts(result)))
+
+
+def _fit_sag(case: SagCase, method: Method, wall: Wall) -> SagFit:
+    if method == "regression":
+        return regress(case)
+    return follow_wall(case) if wall == "measured" else simulate_both(case, wall)
 
 
 def _check(phi_1: Array, phi_2: Array) -> None:
@@ -183,6 +186,6 @@ def _doubts(result: BendingResult) -> list[str]:
         doubts.append(
             "the reconstruction misses a large part of the motion: check mass, length, and the release (--from)"
         )
-    doubts += undetermined("stiffness", result.stiffness, PER_DEGREE, "N*mm/deg")
-    doubts += undetermined("damping", result.damping, PER_DEGREE, "N*mm/(deg/s)")
+    doubts += undetermined_note("stiffness", result.stiffness, PER_DEGREE, "N*mm/deg")
+    doubts += undetermined_note("damping", result.damping, PER_DEGREE, "N*mm/(deg/s)")
     return doubts

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.identify.fit import Fit, fit, interval, unknown
+from plategait.identify.fit import Fit, fit, interval, unbounded
 from plategait.identify.series import Smooth, follow, smooth, structure, thin
 from plategait.model.measured import Measured
 from plategait.theory.two_links import (
@@ -111,7 +111,7 @@ def prepare(strip: Strip, used: tuple[Array, ...], centripetal: bool) -> tuple[S
 
 @dataclass(frozen=True, eq=False)
 class SagFit:
-    """What a fit found: both parameters (SI), φ2 reconstructed (n,), notes, and joint 1 where it was fitted."""
+    """Both parameters that were fitted (SI), φ2 reconstructed (n,), notes, and joint 1 where it was fitted."""
 
     stiffness: Measured
     damping: Measured
@@ -145,12 +145,12 @@ def regress(case: SagCase) -> SagFit:
     q = joint_moment(case.strip, phi, (one(t, 2), two(t, 2)), one(t, 1), centripetal=case.centripetal)
     matrix = np.column_stack([two(t, 1), phi[1]])
     (c_b, k_b), *_ = np.linalg.lstsq(matrix, q, rcond=None)
-    missed = q - matrix @ (c_b, k_b)
+    residual = q - matrix @ (c_b, k_b)
     # Smoothing makes neighbours alike: fewer independent samples than rows.
-    alike = min(max(structure(missed), 0.0), 0.99)
+    alike = min(max(structure(residual), 0.0), 0.99)
     widening = (1 + alike) / (1 - alike)
     dof = (len(t) - 2) / widening
-    covariance = np.linalg.pinv(matrix.T @ matrix) * float(missed @ missed) / max(dof, 1.0)
+    covariance = np.linalg.pinv(matrix.T @ matrix) * float(residual @ residual) / max(dof, 1.0)
     sd = np.sqrt(np.diag(covariance))
     k, c = (max(float(v), 1e-12) for v in (k_b, c_b))
     start = np.array([[k / case.k_static], [c / case.c_unit(case.k_static)], [phi[1][0]], [two(t, 1)[0]]])
@@ -185,19 +185,19 @@ def follow_wall(case: SagCase) -> SagFit:
         return _driven_model(case, driver, Joints(unit[0] * p[0], unit[1] * p[1]), unit)
 
     free = np.full(len(best) - 2, np.inf)
-    found = _converge(case, model, best, np.r_[[1e-3, 0.0], -free], np.r_[[_REACH, _REACH], free])
-    return _fitted(case, "measured", found, unit, model(found.parameters))
+    fitted = _converge(case, model, best, np.r_[[1e-3, 0.0], -free], np.r_[[_REACH, _REACH], free])
+    return _result(case, "measured", fitted, unit, model(fitted.parameters))
 
 
 def simulate_both(case: SagCase, wall: Wall) -> SagFit:
     """Both links, joint 1 with stiffness and damping of its own ("free") or as joint 2 ("joint")."""
     unit = _units(case)
     own = wall == "free"
-    begin = [s(case.t[:1], d)[0] / unit[2 + d] for d in (0, 1) for s in case.splines]
+    initial = [s(case.t[:1], d)[0] / unit[2 + d] for d in (0, 1) for s in case.splines]
     k_1 = case.k_1_static / unit[0]
     tries = np.array(list(product(_STIFFNESS, _DAMPING, _STIFFNESS if own else (1.0,)))).T
     walls = [k_1 * tries[2], tries[1]] if own else []
-    starts = np.stack([*tries[:2], *walls, *(np.full(tries.shape[1], each) for each in begin)])
+    starts = np.stack([*tries[:2], *walls, *(np.full(tries.shape[1], value) for value in initial)])
 
     def joints(p: Array) -> Joints:
         return Joints(unit[0] * p[0], unit[1] * p[1], *((unit[0] * p[2], unit[1] * p[3]) if own else ()))
@@ -215,8 +215,8 @@ def simulate_both(case: SagCase, wall: Wall) -> SagFit:
     best = _best(case, model(starts.max(axis=1)), starts)
     low = np.r_[[1e-3, 0.0] * (1 + own), [-np.inf] * 4]
     high = np.r_[[_REACH * max(1.0, k_1), _REACH] * (1 + own), [np.inf] * 4]
-    found = _converge(case, model, best, low, high)
-    return _fitted(case, wall, found, unit, model(found.parameters))
+    fitted = _converge(case, model, best, low, high)
+    return _result(case, wall, fitted, unit, model(fitted.parameters))
 
 
 def _units(case: SagCase) -> tuple[float, float, float, float]:
@@ -267,40 +267,40 @@ def _driven_model(case: SagCase, driver: Smooth, joints: Joints, unit: tuple[flo
 def _best(case: SagCase, model: _Predictor, starts: Array) -> Array:
     """Start whose prediction misses least."""
     with np.errstate(all="ignore"):  # what diverges misses most
-        missed = (model(starts) - case.phi[:, :, None]) / np.ptp(case.phi, axis=0)[:, None]
-        squares = np.nan_to_num(np.sum(missed**2, axis=(0, 1)), nan=np.inf)
+        residual = (model(starts) - case.phi[:, :, None]) / np.ptp(case.phi, axis=0)[:, None]
+        squares = np.nan_to_num(np.sum(residual**2, axis=(0, 1)), nan=np.inf)
     return starts[:, int(np.argmin(squares))]
 
 
 def _converge(case: SagCase, model: Callable[[Array], _Predictor], start: Array, low: Array, high: Array) -> Fit:
     """Fit, with steps made anew for where it arrived."""
     predict = model(start)
-    found = fit(predict, case.phi, start, low, high)
-    again = model(found.parameters)
-    return found if again.steps <= predict.steps * _HEADROOM else fit(again, case.phi, found.parameters, low, high)
+    first = fit(predict, case.phi, start, low, high)
+    again = model(first.parameters)
+    return first if again.steps <= predict.steps * _HEADROOM else fit(again, case.phi, first.parameters, low, high)
 
 
-def _fitted(case: SagCase, wall: Wall, found: Fit, unit: tuple[float, ...], model: _Predictor) -> SagFit:
-    notes, stiffness, damping = [], found.measured(0, unit[0]), found.measured(1, unit[1])
-    if found.structured:
+def _result(case: SagCase, wall: Wall, fitted: Fit, unit: tuple[float, ...], model: _Predictor) -> SagFit:
+    notes, stiffness, damping = [], fitted.measured(0, unit[0]), fitted.measured(1, unit[1])
+    if fitted.structured:
         hint = ": is joint 1 as joint 2? try --wall measured" if wall == "joint" else ""
-        notes.append(f"{found.missing}{hint}")
+        notes.append(f"{fitted.structure_note}{hint}")
     if model.capped:
-        stiffness, damping = unknown(stiffness.value), unknown(damping.value)
+        stiffness, damping = unbounded(stiffness.value), unbounded(damping.value)
         notes.append("so stiff or damped that steps fine enough take too long: try --wall measured, or an earlier --to")
     omega = fastest_rates(case.strip, Joints(stiffness.value, 0.0))[0]
     spacing = float(np.median(np.diff(case.t)))
     if wall == "measured" and omega * spacing > _RESOLVED:
-        damping = unknown(damping.value)
+        damping = unbounded(damping.value)
         notes.append(
             f"too few rows for the strip's second mode, {omega / math.tau:.0f} Hz: film faster, or --wall free"
         )
     return SagFit(
         stiffness=stiffness,
         damping=damping,
-        correlation=found.correlation(0, 1),
-        reconstruction=model(found.parameters[:, None])[:, 1, 0],
+        correlation=fitted.correlation(0, 1),
+        reconstruction=model(fitted.parameters[:, None])[:, 1, 0],
         notes=tuple(notes),
-        wall_stiffness=found.measured(2, unit[0]) if wall == "free" else None,
-        wall_damping=found.measured(3, unit[1]) if wall == "free" else None,
+        wall_stiffness=fitted.measured(2, unit[0]) if wall == "free" else None,
+        wall_damping=fitted.measured(3, unit[1]) if wall == "free" else None,
     )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from matplotlib.figure import Figure
 
 from plategait.identify.compression.result import CompressionResult
-from plategait.identify.fit import known
-from plategait.model.measured import words
+from plategait.identify.fit import if_determined
+from plategait.model.measured import as_text
 from plategait.plots.style import BLUE, ORANGE
 
 
@@ -22,12 +22,12 @@ def plot_compression(result: CompressionResult) -> Figure:
     axes.set_xlabel("time (ms)")
     axes.set_ylabel("displacement $s$ (mm)")
     other.set_ylabel("force $f_s$ (N)")
-    for each in (axes, other):
-        each.spines["top"].set_visible(False)
+    for side in (axes, other):
+        side.spines["top"].set_visible(False)
     figure.legend(frameon=False, fontsize=8.5, loc="upper left", bbox_to_anchor=(0.12, 0.86))
     figure.suptitle(
-        f"$k_c$ = {words(known(result.stiffness), '.3g', 1e-3)} N/mm\n"
-        f"$c_c$ = {words(known(result.damping), '.3g', 1e-3)} N/(mm/s)",
+        f"$k_c$ = {as_text(if_determined(result.stiffness), '.3g', 1e-3)} N/mm\n"
+        f"$c_c$ = {as_text(if_determined(result.damping), '.3g', 1e-3)} N/(mm/s)",
         x=0.01, ha="left", fontsize=10,
     )  # fmt: skip
     return figure

@@ -11,10 +11,10 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.table import Column, read_table
-from plategait.identify.fit import determined, fit, fragment_of, interval, known, scaled, undetermined
+from plategait.identify.fit import determined, fit, fragment_of, if_determined, interval, scaled, undetermined_note
 from plategait.identify.series import Window, follow, smooth, thin
 from plategait.model.fragment import Fragment
-from plategait.model.measured import Measured, numbers
+from plategait.model.measured import Measured, as_json
 
 Method = Literal["trajectory", "regression"]
 
@@ -49,7 +49,7 @@ class CompressionResult:
     offset : Measured or None
         Force where the displacement reads zero, N, if it was fitted.
     method : str
-        How they were found: see `identify_compression`.
+        How they were fitted: see `identify_compression`.
     time, displacement, force, reconstruction : (n,) arrays
         What was used (s, m, N), and the reconstructed force (N).
     notes : tuple of str
@@ -87,7 +87,7 @@ class CompressionResult:
     def parameters(self) -> dict[str, Measured]:
         """Parameters that the recording determines, by their name in a scenario."""
         both = {"sheet.axial_stiffness": self.stiffness, "sheet.axial_damping": self.damping}
-        return {name: each for name, each in both.items() if determined(each)}
+        return {name: measured for name, measured in both.items() if determined(measured)}
 
     def to_fragment(self) -> Fragment:
         """Part of a scenario with what was determined."""
@@ -97,13 +97,13 @@ class CompressionResult:
     def summary(self) -> dict[str, Any]:
         """Numbers for a program, in the units of Table 4.1."""
         return {
-            "surface_stiffness_n_per_mm": numbers(known(self.surface_stiffness), 1e-3),
-            "surface_damping_n_s_per_mm": numbers(known(self.surface_damping), 1e-3),
-            "axial_stiffness_n_per_mm": numbers(known(self.stiffness), 1e-3),
-            "axial_damping_n_s_per_mm": numbers(known(self.damping), 1e-3),
+            "surface_stiffness_n_per_mm": as_json(if_determined(self.surface_stiffness), 1e-3),
+            "surface_damping_n_s_per_mm": as_json(if_determined(self.surface_damping), 1e-3),
+            "axial_stiffness_n_per_mm": as_json(if_determined(self.stiffness), 1e-3),
+            "axial_damping_n_s_per_mm": as_json(if_determined(self.damping), 1e-3),
             "correlation": self.correlation,
             "conversion": self.conversion,
-            "offset_n": numbers(self.offset),
+            "offset_n": as_json(self.offset),
             "method": self.method,
             "samples": len(self.time),
             "residual_rms_n": self.residual_rms,
@@ -166,13 +166,13 @@ def identify_compression(
     """
     if method not in get_args(Method):
         raise InputError("--method", method, f"one of {', '.join(get_args(Method))}", "trajectory")
-    given = (recording.time, recording.displacement, recording.force)
-    (time, s, f), block = thin(*(window or Window()).cut(*given, least=LEAST_ROWS), most=_MOST_ROWS)
+    rows = (window or Window()).cut(recording.time, recording.displacement, recording.force, least=LEAST_ROWS)
+    (time, s, f), block = thin(*rows, most=_MOST_ROWS)
     _check(s, f)
-    find = _regress if method == "regression" else _follow
-    found = replace(find(time, s, f, offset), conversion=convert(1.0, thickness, length))
+    estimate = _regress if method == "regression" else _follow
+    result = replace(estimate(time, s, f, offset), conversion=convert(1.0, thickness, length))
     thinned = (f"thinned: means over {block} rows at a time",) if block > 1 else ()
-    return replace(found, notes=(*thinned, *found.notes, *_doubts(found)))
+    return replace(result, notes=(*thinned, *result.notes, *_doubts(result)))
 
 
 def _check(s: Array, f: Array) -> None:
@@ -202,9 +202,9 @@ def _regress(time: Array, s: Array, f: Array, offset: bool) -> CompressionResult
     size = np.abs(matrix).max(axis=0)
     scaled = matrix / np.where(size > 0, size, 1.0)
     p = np.linalg.lstsq(scaled, f, rcond=None)[0]
-    missed = f - scaled @ p
+    residual = f - scaled @ p
     dof = len(f) - len(p)
-    covariance = np.linalg.pinv(scaled.T @ scaled) * float(missed @ missed) / dof
+    covariance = np.linalg.pinv(scaled.T @ scaled) * float(residual @ residual) / dof
     sd = np.sqrt(np.diag(covariance))
     c_s, k_s, *rest = (interval(v / z, d / z, dof) for v, d, z in zip(p, sd, size, strict=True))
     correlation = float(covariance[0, 1] / (sd[0] * sd[1])) if sd[0] * sd[1] > 0 else 0.0
@@ -236,13 +236,13 @@ def _follow(time: Array, s: Array, f: Array, offset: bool) -> CompressionResult:
     begin = np.r_[[1.0, 0.1], [0.0] * extra, start.coefficients / depth]
     free = np.full(len(begin) - 2, np.inf)
     # Damping below zero is allowed, so that an interval can say that there may be none.
-    found = fit(model, np.stack([s, f], axis=1), begin, np.r_[[1e-3, -_REACH], -free], np.r_[[_REACH] * 2, free],
+    fitted = fit(model, np.stack([s, f], axis=1), begin, np.r_[[1e-3, -_REACH], -free], np.r_[[_REACH] * 2, free],
                 correlated=False)  # fmt: skip
-    notes = (found.missing,) if found.structured else ()
-    reconstruction = model(found.parameters[:, None])[:, 1, 0]
+    notes = (fitted.structure_note,) if fitted.structured else ()
+    reconstruction = model(fitted.parameters[:, None])[:, 1, 0]
     return CompressionResult(
-        found.measured(0, unit_k), found.measured(1, unit_c), 1.0, found.correlation(0, 1),
-        found.measured(2, unit_f) if offset else None, "trajectory", time, s, f, reconstruction, notes,
+        fitted.measured(0, unit_k), fitted.measured(1, unit_c), 1.0, fitted.correlation(0, 1),
+        fitted.measured(2, unit_f) if offset else None, "trajectory", time, s, f, reconstruction, notes,
     )  # fmt: skip
 
 
@@ -252,6 +252,6 @@ def _doubts(result: CompressionResult) -> tuple[str, ...]:
     if result.residual_rms > _LARGE_RESIDUAL * float(np.ptp(result.force)):
         hint = "" if result.offset else ", or try --offset"
         doubts.append(f"the reconstruction misses a large part of the force: press less far{hint}")
-    doubts += undetermined("stiffness k_s", result.surface_stiffness, 1e-3, "N/mm")
-    doubts += undetermined("damping c_s", result.surface_damping, 1e-3, "N/(mm/s); press faster")
+    doubts += undetermined_note("stiffness k_s", result.surface_stiffness, 1e-3, "N/mm")
+    doubts += undetermined_note("damping c_s", result.surface_damping, 1e-3, "N/(mm/s); press faster")
     return tuple(doubts)

@@ -6,7 +6,7 @@ The angle at which it begins to slip is the friction angle α, and μ_s = tan α
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -15,11 +15,11 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.identify.friction.recording import LEAST_ROWS, TiltRecording, noise_of, smooth_tilt
+from plategait.identify.friction.recording import LEAST_ROWS, Tilt, TiltRecording, noise_of, smooth_tilt
 from plategait.identify.friction.slide import Range, SlideFit, Stretch, find_slides, fit_moving, fit_slide
 from plategait.identify.series import thin
 from plategait.model.fragment import Fragment
-from plategait.model.measured import CONFIDENCE, Measured, numbers
+from plategait.model.measured import CONFIDENCE, Measured, as_json
 
 _MOST_ROWS = 20_000  # in which slides are sought
 _MOST_FITTED = 4_000  # of one slide
@@ -71,6 +71,22 @@ class Trial:
     noise: float
     notes: tuple[str, ...]
 
+    def summary(self) -> dict[str, Any]:
+        """Numbers for programs, angles in deg."""
+        from plategait.files.plain import plain
+
+        return {
+            "name": self.name,
+            "slip_angle_deg": as_json(self.slip_angle, math.degrees(1)),
+            "friction_static": as_json(self.static),
+            "friction_kinetic": as_json(self.kinetic),
+            "tilt_reached_deg": math.degrees(self.reached),
+            "tilt_rate_deg_s": plain(math.degrees(self.rate)),
+            "slip_time_s": plain(self.slip_time),
+            "position_noise_mm": 1e3 * self.noise,
+            "notes": list(self.notes),
+        }
+
 
 @dataclass(frozen=True, eq=False)
 class FrictionResult:
@@ -115,27 +131,12 @@ class FrictionResult:
 
     def summary(self) -> dict[str, Any]:
         """Numbers for programs, angles in deg."""
-        from plategait.files.plain import plain
-
         return {
-            "friction_static": numbers(self.static),
-            "friction_kinetic": numbers(self.kinetic),
-            "slip_angle_deg": numbers(self.slip_angle, math.degrees(1)),
+            "friction_static": as_json(self.static),
+            "friction_kinetic": as_json(self.kinetic),
+            "slip_angle_deg": as_json(self.slip_angle, math.degrees(1)),
             "confidence": CONFIDENCE,
-            "trials": [
-                {
-                    "name": t.name,
-                    "slip_angle_deg": numbers(t.slip_angle, math.degrees(1)),
-                    "friction_static": numbers(t.static),
-                    "friction_kinetic": numbers(t.kinetic),
-                    "tilt_reached_deg": math.degrees(t.reached),
-                    "tilt_rate_deg_s": plain(math.degrees(t.rate)),
-                    "slip_time_s": plain(t.slip_time),
-                    "position_noise_mm": 1e3 * t.noise,
-                    "notes": list(t.notes),
-                }
-                for t in self.trials
-            ],
+            "trials": [trial.summary() for trial in self.trials],
             "notes": list(self.notes),
         }
 
@@ -158,18 +159,18 @@ def identify_friction(recordings: Sequence[TiltRecording]) -> FrictionResult:
     trials = tuple(map(_trial, recordings))
     static, kinetic = _mean([t.static for t in trials]), _mean([t.kinetic for t in trials])
     notes = []
-    told = sum(t.static is not None for t in trials)
-    if 0 < told < len(trials):
-        notes.append(f"{len(trials) - told} of {len(trials)} tilts show no slip and are left out of the mean")
+    slipped = sum(t.static is not None for t in trials)
+    if 0 < slipped < len(trials):
+        notes.append(f"{len(trials) - slipped} of {len(trials)} tilts show no slip and are left out of the mean")
     if static and kinetic and kinetic.value > static.value:
         notes.append(f"the mean mu_k came out as {kinetic.value:.3f}, above mu_s: held at it")
         kinetic = Measured(static.value, kinetic.sd, min(kinetic.low, static.value), static.value)
     return FrictionResult(static, kinetic, trials, tuple(notes))
 
 
-def _mean(found: Sequence[Measured | None]) -> Measured | None:
+def _mean(trials: Sequence[Measured | None]) -> Measured | None:
     """Mean of those determined, no surer than either their scatter or their own uncertainty allows."""
-    values = [m for m in found if m is not None]
+    values = [m for m in trials if m is not None]
     if len(values) < 2:
         return values[0] if values else None
     from scipy.special import stdtrit
@@ -191,52 +192,78 @@ def _trial(recording: TiltRecording) -> Trial:
     first = slides[0]
     turn = math.copysign(1.0, float(np.mean(angle[first.first : first.end])))
     downhill = math.copysign(1.0, float(position[first.end - 1] - position[first.first]))
-    begun, ended = time[first.first], time[first.end - 1]
-    start, stop = map(int, np.searchsorted(recording.time, (begun - _LEAD, ended + 1e-12)))
-    start = min(start, len(recording.time) - LEAST_ROWS)
-    rows = slice(start, max(stop, start + LEAST_ROWS))
-    (t, tilted, s), block = thin(
-        recording.time[rows], recording.angle[rows], recording.position[rows], most=_MOST_FITTED
-    )
-    tilted, s = turn * tilted, downhill * s
-    tilt = smooth_tilt(t, tilted)
+    angle, position = turn * angle, downhill * position
+    (t, tilted, s), block = _about(recording, time[first.first], time[first.end - 1])
+    tilt, s = smooth_tilt(t, turn * tilted), downhill * s
     before = slice(0, max(first.first - 2, 0))
-    crept = _crept(time[before], downhill * position[before])
-    if first.first == 0:
-        fit = fit_moving(tilt, s)
-    else:
-        reach = 3 * float(np.median(np.diff(time))) + 0.1 * (ended - begun)
-        creeping = abs(crept) > 0
-        fit = fit_slide(tilt, s, (max(float(t[1]), begun - max(reach, _PAUSE)), float(t[-3])), creeping)
+    crept = _crept(time[before], position[before])
+    fit = _fit(time, first, tilt, s, creeps=abs(crept) > 0)
+    static = _measured(fit.slip_angle, math.tan)
+    kinetic, why = _kinetic(fit, t)
     notes = [f"thinned to means of {block} rows"] if block > 1 else []
     if crept:
         notes.append(f"it creeps before it slips, by {1e3 * crept:.2g} mm: the angle is that of the fast slide")
-    notes += _later_slips(time, turn * angle, downhill * position, slides)
-    static = _measured(fit.slip_angle, math.tan)
-    kinetic, why = _kinetic(fit, t)
-    slip_time = fit.slip_time.value if fit.slip_time else math.nan
-    reached = float(np.max(turn * angle[: first.end])) if fit.slip_angle is None else fit.slip_angle.value
+    notes += _later_slips(time, angle, position, slides) + _oddities(fit, len(t)) + why
     return Trial(
-        recording.name, _measured(fit.slip_angle), static, kinetic, reached, t, tilt.angle, s, fit.fitted, slip_time,
-        fit.rate, fit.noise, tuple(notes + _oddities(fit, len(t)) + why),
-    )  # fmt: skip
+        name=recording.name,
+        slip_angle=_measured(fit.slip_angle),
+        static=static,
+        kinetic=kinetic,
+        reached=float(np.max(angle[: first.end])) if fit.slip_angle is None else fit.slip_angle.value,
+        time=t,
+        angle=tilt.angle,
+        position=s,
+        fitted=fit.fitted,
+        slip_time=fit.slip_time.value if fit.slip_time else math.nan,
+        rate=fit.rate,
+        noise=fit.noise,
+        notes=tuple(notes),
+    )
+
+
+def _about(recording: TiltRecording, begun: float, ended: float) -> tuple[list[Array], int]:
+    """Time, angle and position of a slide with some rest before it, thinned, and the rows in a mean."""
+    start, stop = map(int, np.searchsorted(recording.time, (begun - _LEAD, ended + 1e-12)))
+    start = min(start, len(recording.time) - LEAST_ROWS)
+    rows = slice(start, max(stop, start + LEAST_ROWS))
+    return thin(recording.time[rows], recording.angle[rows], recording.position[rows], most=_MOST_FITTED)
+
+
+def _fit(time: Array, slide: Stretch, tilt: Tilt, position: Array, *, creeps: bool) -> SlideFit:
+    """Fit a slide, whose rows count from `time`, to the rows about it."""
+    if slide.first == 0:
+        return fit_moving(tilt, position)
+    begun, ended = time[slide.first], time[slide.end - 1]
+    reach = 3 * float(np.median(np.diff(time))) + 0.1 * (ended - begun)
+    between = max(float(tilt.time[1]), begun - max(reach, _PAUSE)), float(tilt.time[-3])
+    return fit_slide(tilt, position, between, creeps)
 
 
 def _never_slips(recording: TiltRecording, time: Array, angle: Array, position: Array) -> Trial:
     reached = float(np.abs(recording.angle).max())
-    note = f"no slip up to {math.degrees(reached):.1f} deg: mu_s is at least {math.tan(reached):.3f}"
     turn = math.copysign(1.0, float(angle[np.argmax(np.abs(angle))]))
     return Trial(
-        recording.name, None, None, None, reached, time, turn * angle, position, np.full(len(time), math.nan), math.nan,
-        math.nan, noise_of(position), (note,),
-    )  # fmt: skip
+        name=recording.name,
+        slip_angle=None,
+        static=None,
+        kinetic=None,
+        reached=reached,
+        time=time,
+        angle=turn * angle,
+        position=position,
+        fitted=np.full(len(time), math.nan),
+        slip_time=math.nan,
+        rate=math.nan,
+        noise=noise_of(position),
+        notes=(f"no slip up to {math.degrees(reached):.1f} deg: mu_s is at least {math.tan(reached):.3f}",),
+    )
 
 
-def _measured(found: Range | None, law: Any = float) -> Measured | None:
-    """The value of a monotonic law of what was found."""
-    if found is None or found.value <= 0:
+def _measured(interval: Range | None, law: Callable[[float], float] = float) -> Measured | None:
+    """Value of a monotonic law of a number with its interval."""
+    if interval is None or interval.value <= 0:
         return None
-    value, low, high = map(law, found)
+    value, low, high = map(law, interval)
     return Measured(value, (high - low) / (2 * _NORMAL), low, high)
 
 
@@ -245,8 +272,8 @@ def _kinetic(fit: SlideFit, time: Array) -> tuple[Measured | None, list[str]]:
     k = fit.kinetic
     slid = int(np.sum(time > fit.slip_time.value)) if fit.slip_time else len(time)
     if slid < _LEAST_SLIDING_ROWS or k.low <= 0 or k.high - k.low > _WIDEST * k.value:
-        shown = f"{k.low:.2g} to {k.high:.2g}" if slid >= _LEAST_SLIDING_ROWS else "too few rows"
-        return None, [f"mu_k is not determined by a slide of {slid} rows ({shown})"]
+        reason = f"{k.low:.2g} to {k.high:.2g}" if slid >= _LEAST_SLIDING_ROWS else "too few rows"
+        return None, [f"mu_k is not determined by a slide of {slid} rows ({reason})"]
     bound = [f"mu_k came out above mu_s: held at it, {k.value:.3f}"] if fit.at_bound else []
     return _measured(k), bound
 
@@ -270,8 +297,8 @@ def _later_slips(time: Array, angle: Array, position: Array, slides: list[Stretc
     ]
     if not further:
         return []
-    shown = ", ".join(f"{a:.1f}" for a in further[:5]) + (", …" if len(further) > 5 else "")
-    return [f"it sticks and slips again at {shown} deg: mu_s is that of the first slip, mu_k that of its slide"]
+    angles = ", ".join(f"{a:.1f}" for a in further[:5]) + (", …" if len(further) > 5 else "")
+    return [f"it sticks and slips again at {angles} deg: mu_s is that of the first slip, mu_k that of its slide"]
 
 
 def _oddities(fit: SlideFit, rows: int) -> list[str]:

@@ -222,10 +222,10 @@ def fit_moving(tilt: Tilt, position: Array) -> SlideFit:
     )
 
 
-def _widened(found: Range, margin: float) -> Range:
+def _widened(interval: Range, margin: float) -> Range:
     """Interval with another, independent uncertainty added."""
-    low, high = (float(np.hypot(end - found.value, margin)) for end in found[1:])
-    return Range(found.value, found.value - low, found.value + high)
+    low, high = (float(np.hypot(end - interval.value, margin)) for end in interval[1:])
+    return Range(interval.value, interval.value - low, interval.value + high)
 
 
 def _per_angle(kinetic: float, angle: float) -> float:

@@ -56,18 +56,22 @@ def tilt_recording(
         )
     generator = np.random.default_rng(seed)
     alpha = math.atan(static)
-    # From t_s on the acceleration only grows: enough time for the whole slide.
-    after = np.arange(0.0, 20.0, 0.25 / fps)
-    slid = slide_length(after, alpha, rate, kinetic) + creep * after
-    end = float(after[min(int(np.searchsorted(slid, travel)), len(after) - 1)]) + 0.5
+    end = _end_of_slide(alpha, rate, kinetic, creep, travel, 0.25 / fps) + 0.5
     time = np.arange(-rest + generator.uniform(0, 1 / fps), end, 1 / fps)
-    angle = alpha + rate * time
     position = np.minimum(slide_length(np.maximum(time, 0), alpha, rate, kinetic) + creep * time, travel)
     return (
         time - time[0],
-        angle + angle_noise * generator.normal(size=len(time)),
+        alpha + rate * time + angle_noise * generator.normal(size=len(time)),
         position + noise * generator.normal(size=len(time)),
     )
+
+
+def _end_of_slide(alpha: float, rate: float, kinetic: float, creep: float, travel: float, step: float) -> float:
+    """Time after the slip at which the object has slid some way, s, to a step."""
+    # From t_s on the acceleration only grows: enough time for the whole slide.
+    after = np.arange(0.0, 20.0, step)
+    length = slide_length(after, alpha, rate, kinetic) + creep * after
+    return float(after[min(int(np.searchsorted(length, travel)), len(after) - 1)])
 
 
 def slide_length(since: Array, alpha: float, rate: float, kinetic: float) -> Array:

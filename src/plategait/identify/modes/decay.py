@@ -65,8 +65,8 @@ def matrix_pencil(signal: Array, interval: float, order: int) -> NDArray[np.comp
     _, _, right = np.linalg.svd(hankel, full_matrices=False)
     basis = right[:order].T
     poles = np.linalg.eigvals(np.linalg.lstsq(basis[:-1], basis[1:], rcond=None)[0])
-    found: NDArray[np.complex128] = np.log(np.where(poles == 0, 1e-300, poles).astype(np.complex128))
-    return found / interval
+    exponents: NDArray[np.complex128] = np.log(np.where(poles == 0, 1e-300, poles).astype(np.complex128))
+    return exponents / interval
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,12 +124,12 @@ def fit_decays(time: Array, signal: Array, modes: int | None = None) -> DecayFit
         scale, modes = 1.0, 0
     y = (signal - signal.mean()) / scale
     most = min(MOST_MODES if modes is None else modes, (len(time) - 4) // 4)
-    best = chosen = _assess(time, y, np.empty(0))
+    best = latest = _assess(time, y, np.empty(0))
     for count in range(1, most + 1):
-        chosen = min((_refine(time, y, start) for start in _starts(time, y, chosen, count)), key=lambda fit: fit.bic)
-        if modes is None and chosen.bic > best.bic:
+        latest = min((_refine(time, y, start) for start in _starts(time, y, latest, count)), key=lambda fit: fit.bic)
+        if modes is None and latest.bic > best.bic:
             break
-        best = chosen
+        best = latest
     return _scaled(best, scale, float(signal.mean()))
 
 
@@ -142,10 +142,10 @@ def _scaled(fit: DecayFit, scale: float, mean: float) -> DecayFit:
 
 def _starts(time: Array, y: Array, fewer: DecayFit, count: int) -> list[Array]:
     """First guesses (ln ω, ζ of each mode): the modes found so far with one more, and all anew by the matrix pencil."""
-    found = np.stack([np.log(fewer.omega), fewer.damping_ratio], axis=1).ravel()
+    parameters = np.stack([np.log(fewer.omega), fewer.damping_ratio], axis=1).ravel()
     left = y - fewer.fitted if count > 1 else y - y[-max(1, len(y) // 5) :].mean()
     one = _matched(time, left)
-    starts = [np.append(found, one)]
+    starts = [np.append(parameters, one)]
     # Few rows to each of the pencil's: enough for three modes up to about six times the frequency of the strongest.
     step = max(1, int(2 * math.pi / math.exp(one[0]) / np.median(np.diff(time)) / 16))
     even = np.arange(0.0, time[-1], step * time[-1] / (len(time) - 1))[:_PENCIL_ROWS]
@@ -205,10 +205,10 @@ def _refine(time: Array, y: Array, start: Array) -> DecayFit:
                 slopes[:, i + j] = (mode_columns(time, *more) - mode_columns(time, *less)) @ own / (2 * _STEP)
         return columns @ _weights(columns, slopes) - slopes
 
-    found = least_squares(
+    solution = least_squares(
         residual, inside, jac=cast("Any", jacobian), bounds=(lower, upper), x_scale="jac", max_nfev=_EVALUATIONS
     )
-    return _assess(time, y, np.asarray(found.x), np.asarray(found.jac))
+    return _assess(time, y, np.asarray(solution.x), np.asarray(solution.jac))
 
 
 def _neighbours(omega: float, zeta: float) -> tuple[tuple[tuple[float, float], tuple[float, float]], ...]:

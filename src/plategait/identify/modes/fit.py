@@ -7,6 +7,7 @@ the sag, gravity adds a constant. A strip that hangs straight down does not: its
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import get_args
 
 import numpy as np
@@ -80,28 +81,32 @@ def identify_ring(
     time, signal, notes = shortened(*Window(start, end).cut(recording.time, recording.signal, least=LEAST_ROWS))
     fit = fit_decays(time, signal)
     modes = tuple(_mode(fit, i, float(time[-1] - time[0])) for i in range(len(fit.omega)))
-    if mode is not None and modes and not 1 <= mode <= len(modes):
+    index = _pick(modes, mode)
+    notes += _oddities(fit, modes, index, time)
+    result = RingResult(
+        name=recording.name, kind=recording.kind, support=support, sheet=sheet.name, modes=modes, mode_index=None,
+        natural_frequency=None, stiffness=None, damping=None, correlation=0.0, torsion_ratio=_torsion_ratio(sheet),
+        time=time, signal=signal, fitted=fit.fitted, notes=tuple(notes),
+    )  # fmt: skip
+    if index is None or not modes[index].rings:
+        return replace(result, notes=(*notes, _why_nothing(modes)))
+    if length is None or support == "free":
+        bending = sheet.with_natural_frequency(modes[index].omega.value).bending_stiffness
+        return _with_joints(result, fit, index, sheet, bending)
+    mass_per_area = _mass_per_area(sheet) if mass_per_area is None else mass_per_area
+    bending = _cantilever_stiffness(modes[index].omega.value, mass_per_area, length)
+    sagging = _sagging(mass_per_area * GRAVITY * length**3 / (8 * bending))
+    return _with_joints(replace(result, notes=(*notes, *sagging)), fit, index, sheet, bending, 4 * length_sd / length)
+
+
+def _pick(modes: tuple[RingMode, ...], mode: int | None) -> int | None:
+    """Place of the mode asked for, or of the strongest that rings; None where nothing rings."""
+    if mode is None or not modes:
+        ringing = [i for i, m in enumerate(modes) if m.rings]
+        return max(ringing, key=lambda i: modes[i].share, default=None)
+    if not 1 <= mode <= len(modes):
         raise InputError("--mode", mode, f"from 1 to the {len(modes)} modes found", "leaving it out")
-    ringing = [i for i, m in enumerate(modes) if m.rings]
-    chosen = mode - 1 if mode is not None and modes else max(ringing, key=lambda i: modes[i].share, default=None)
-    notes += _oddities(fit, modes, chosen, time)
-    if chosen is None or not modes[chosen].rings:
-        notes.append(_why_nothing(modes))
-        return _result(recording, support, sheet, modes, None, fit, time, signal, notes)
-    omega = modes[chosen].omega.value
-    if support == "cantilever" and length is not None:
-        area_mass = _mass_per_area(sheet) if mass_per_area is None else mass_per_area
-        stiffness = _cantilever_stiffness(omega, area_mass, length)
-        sag = area_mass * GRAVITY * length**3 / (8 * stiffness)
-        if sag > _LARGE_SAG:
-            notes.append(
-                f"it sags by about {100 * sag:.0f} % of its length, which shifts its frequency: a shorter strip"
-            )
-        return _result(
-            recording, support, sheet, modes, chosen, fit, time, signal, notes, stiffness, 4 * length_sd / length
-        )
-    stiffness = sheet.with_natural_frequency(omega).bending_stiffness
-    return _result(recording, support, sheet, modes, chosen, fit, time, signal, notes, stiffness)
+    return mode - 1
 
 
 def _cantilever_stiffness(omega: float, mass_per_area: float, length: float) -> float:
@@ -109,32 +114,49 @@ def _cantilever_stiffness(omega: float, mass_per_area: float, length: float) -> 
     return (omega / float(cantilever_frequencies(1.0, mass_per_area, length)[0])) ** 2
 
 
-def _result(
-    recording: RingRecording, support: Support, sheet: Sheet, modes: tuple[RingMode, ...], chosen: int | None,
-    fit: DecayFit, time: Array, signal: Array, notes: list[str], k_b: float = 0.0, spread: float = 0.0,
-) -> RingResult:  # fmt: skip
-    """Gather the result; `spread` is the sd of ln k_b that the frequency does not explain."""
-    natural = stiffness = damping = None
-    correlation = 0.0
-    if chosen is not None:
-        omega, zeta = modes[chosen].omega.value, modes[chosen].damping_ratio.value
-        both = _covariance(fit)[2 * chosen : 2 * chosen + 2, 2 * chosen : 2 * chosen + 2]
-        # ln k_b = 2 ln ω + 4 ln L + …, ln c_b = ln ζ + ln ω + 4 ln L + ….
-        slopes = np.array([[2.0, 0.0, 1.0], [1.0, 1 / zeta if zeta else 0.0, 1.0]])
-        known = np.block([[both, np.zeros((2, 1))], [np.zeros((1, 2)), np.array([[spread**2]])]])
-        (kk, kc), (_, cc) = slopes @ known @ slopes.T
-        stiffness = _logarithmic(k_b, math.sqrt(kk), fit.freedom)
-        whole = sheet.replace(bending_stiffness=k_b, torsion_stiffness=k_b * _torsion_ratio(sheet))
-        natural = _logarithmic(whole.natural_frequency, math.sqrt(kk) / 2, fit.freedom)
-        if determined(modes[chosen].damping_ratio):
-            damping = _logarithmic(2 * zeta * k_b / omega, math.sqrt(cc), fit.freedom)
-            correlation = float(kc / math.sqrt(kk * cc)) if kk * cc > 0 else 0.0
-        else:
-            notes = [*notes, "the damping is not determined: record longer, or with less noise"]
-    return RingResult(
-        recording.name, recording.kind, support, sheet.name, modes, chosen, natural, stiffness, damping, correlation,
-        _torsion_ratio(sheet), time, signal, fit.fitted, tuple(notes),
-    )  # fmt: skip
+def _sagging(sag: float) -> list[str]:
+    """Note of a strip that sags by a large share of its length."""
+    if sag <= _LARGE_SAG:
+        return []
+    return [f"it sags by about {100 * sag:.0f} % of its length, which shifts its frequency: a shorter strip"]
+
+
+def _with_joints(
+    result: RingResult, fit: DecayFit, index: int, sheet: Sheet, bending: float, spread: float = 0.0
+) -> RingResult:
+    """Result with stiffness and damping read off one mode.
+
+    Parameters
+    ----------
+    bending : float
+        k_b, N m/rad.
+    spread : float
+        Standard deviation of ln k_b that the frequency does not explain.
+    """
+    mode = result.modes[index]
+    omega, zeta = mode.omega.value, mode.damping_ratio.value
+    own = slice(2 * index, 2 * index + 2)
+    # ln k_b = 2 ln ω + 4 ln L + …, ln c_b = ln ζ + ln ω + 4 ln L + ….
+    slopes = np.array([[2.0, 0.0, 1.0], [1.0, 1 / zeta if zeta else 0.0, 1.0]])
+    covariance = np.block([
+        [_covariance(fit)[own, own], np.zeros((2, 1))], [np.zeros((1, 2)), np.array([[spread**2]])]
+    ])  # fmt: skip
+    (kk, kc), (_, cc) = slopes @ covariance @ slopes.T
+    whole = sheet.replace(bending_stiffness=bending, torsion_stiffness=bending * _torsion_ratio(sheet))
+    result = replace(
+        result,
+        mode_index=index,
+        natural_frequency=_logarithmic(whole.natural_frequency, math.sqrt(kk) / 2, fit.freedom),
+        stiffness=_logarithmic(bending, math.sqrt(kk), fit.freedom),
+    )
+    if not determined(mode.damping_ratio):
+        note = "the damping is not determined: record longer, or with less noise"
+        return replace(result, notes=(*result.notes, note))
+    return replace(
+        result,
+        damping=_logarithmic(2 * zeta * bending / omega, math.sqrt(cc), fit.freedom),
+        correlation=float(kc / math.sqrt(kk * cc)) if kk * cc > 0 else 0.0,
+    )
 
 
 def _torsion_ratio(sheet: Sheet) -> float:
@@ -170,14 +192,14 @@ def _logarithmic(value: float, sd: float, freedom: float) -> Measured:
     return Measured(value, value * sd, value / reach, value * reach)
 
 
-def _oddities(fit: DecayFit, modes: tuple[RingMode, ...], chosen: int | None, time: Array) -> list[str]:
+def _oddities(fit: DecayFit, modes: tuple[RingMode, ...], index: int | None, time: Array) -> list[str]:
     notes = []
     rate = (len(time) - 1) / float(time[-1] - time[0])
     if any(m.rings and m.frequency > _NEAR_NYQUIST * rate for m in modes):
         notes.append(f"fewer than three rows to a cycle at {rate:.3g} rows per second: it may be a faster ring, folded")
     ringing = sum(m.rings and m.share > _FAINT for m in modes)
-    if chosen is not None and ringing > 1:
-        notes.append(f"{ringing} modes ring: the numbers are of mode {chosen + 1}; --mode picks another")
+    if index is not None and ringing > 1:
+        notes.append(f"{ringing} modes ring: the numbers are of mode {index + 1}; --mode picks another")
     if fit.structure > _STRUCTURED and fit.noise > _LEAST_NOISE * max((m.amplitude for m in modes), default=0.0):
         notes.append(
             "the residuals are no noise, intervals are widened: leave out what comes before the release (--from)"

@@ -57,15 +57,15 @@ def read_ring(path: Path | str) -> RingRecording:
     """
     columns = {"time": Column("s"), **_SIGNALS}
     table = read_table(path, columns, field=Path(path).name, example=EXAMPLE, least_rows=LEAST_ROWS, rising="time")
-    found = [name for name in _SIGNALS if name in table]
-    if len(found) != 1:
-        got = f"columns {', '.join(found)}" if found else "nothing to fit beside the time"
+    present = [name for name in _SIGNALS if name in table]
+    if len(present) != 1:
+        got = f"columns {', '.join(present)}" if present else "nothing to fit beside the time"
         raise InputError(table.path.name, got, f"one of the columns {', '.join(_SIGNALS)}", EXAMPLE)
-    values = table[found[0]]
+    values = table[present[0]]
     if (empty := np.flatnonzero(np.isnan(values))).size:
-        where = f"{table.path.name} line {table.lines[empty[0]]}, {found[0]}"
+        where = f"{table.path.name} line {table.lines[empty[0]]}, {present[0]}"
         raise InputError(where, "nothing", "a number", "leaving the row out")
-    return RingRecording(table.path.name, found[0], table["time"], values)
+    return RingRecording(table.path.name, present[0], table["time"], values)
 
 
 def shortened(time: Array, signal: Array) -> tuple[Array, Array, list[str]]:
@@ -76,8 +76,8 @@ def shortened(time: Array, signal: Array) -> tuple[Array, Array, list[str]]:
     power = np.abs(np.fft.rfft(signal - signal.mean())) ** 2
     power[: min(4, len(power) - 1)] = 0.0  # drift, not ringing
     cycles = max(1, int(np.argmax(power)))
-    kept = min(n, max(_MOST_ROWS, _ROWS_PER_CYCLE * cycles))
-    (t, y), block = thin(time, signal, most=kept)
+    most = min(n, max(_MOST_ROWS, _ROWS_PER_CYCLE * cycles))
+    (t, y), block = thin(time, signal, most=most)
     notes = [f"thinned to means of {block} rows"] if block > 1 else []
     if len(t) > _MOST_ROWS:
         t, y = t[:_MOST_ROWS], y[:_MOST_ROWS]

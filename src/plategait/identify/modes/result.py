@@ -11,7 +11,7 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.model.fragment import Fragment
-from plategait.model.measured import CONFIDENCE, Measured, numbers
+from plategait.model.measured import CONFIDENCE, Measured, as_json
 
 Support = Literal["free", "cantilever"]
 
@@ -54,7 +54,7 @@ class RingResult:
         The recording, its column, how it was held, and the sheet that the numbers belong to.
     modes : tuple of RingMode
         In order of frequency.
-    chosen : int or None
+    mode_index : int or None
         Place of the mode that the numbers come from; None where nothing rings.
     natural_frequency : Measured or None
         ω_n of the whole sheet, rad/s.
@@ -75,7 +75,7 @@ class RingResult:
     support: Support
     sheet: str
     modes: tuple[RingMode, ...]
-    chosen: int | None
+    mode_index: int | None
     natural_frequency: Measured | None
     stiffness: Measured | None
     damping: Measured | None
@@ -89,7 +89,7 @@ class RingResult:
     @property
     def mode(self) -> RingMode | None:
         """The mode that the numbers come from."""
-        return None if self.chosen is None else self.modes[self.chosen]
+        return None if self.mode_index is None else self.modes[self.mode_index]
 
     def to_fragment(self) -> Fragment:
         """Fragment with sheet.bending_stiffness and, where determined, sheet.bending_damping; torsion in proportion.
@@ -121,17 +121,17 @@ class RingResult:
             "recording": self.name,
             "support": self.support,
             "sheet": self.sheet,
-            "natural_frequency_rad_s": numbers(self.natural_frequency),
-            "bending_stiffness_n_mm_per_deg": numbers(self.stiffness, 1e3 * math.radians(1)),
-            "bending_damping_n_mm_s_per_deg": numbers(self.damping, 1e3 * math.radians(1)),
+            "natural_frequency_rad_s": as_json(self.natural_frequency),
+            "bending_stiffness_n_mm_per_deg": as_json(self.stiffness, 1e3 * math.radians(1)),
+            "bending_damping_n_mm_s_per_deg": as_json(self.damping, 1e3 * math.radians(1)),
             "correlation": self.correlation if self.damping else None,
             "confidence": CONFIDENCE,
-            "mode": None if self.chosen is None else self.chosen + 1,
+            "mode": None if self.mode_index is None else self.mode_index + 1,
             "modes": [
                 {
-                    "omega_rad_s": numbers(m.omega),
+                    "omega_rad_s": as_json(m.omega),
                     "frequency_hz": m.frequency,
-                    "damping_ratio": numbers(m.damping_ratio),
+                    "damping_ratio": as_json(m.damping_ratio),
                     "amplitude": m.amplitude,
                     "share": m.share,
                     "rings": m.rings,

@@ -1,0 +1,269 @@
+"""The estimator with toy engines in its loop, whose posteriors and best measurements are known in closed form."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from scipy.stats import norm
+
+from plategait.curve.protocol import measured_as
+from plategait.estimate import posterior as posterior_module
+from plategait.estimate import prediction
+from plategait.estimate import runs as runs_module
+from plategait.estimate.emulator import RateEmulator, fit_run_off
+from plategait.estimate.forecast import MOST_MEASUREMENTS, Forecast, measurements_needed
+from plategait.estimate.goodness import goodness_of_fit
+from plategait.estimate.identifiability import marginal_of
+from plategait.estimate.likelihood import OUTLIER_SHARE, OUTLIER_SPREAD, Likelihood
+from plategait.estimate.observations import Condition, Observations
+from plategait.estimate.particles import Particles, explore, folded, stratified
+from plategait.estimate.posterior import Effort, estimate_posterior
+from plategait.estimate.result import Estimate, correlated
+from plategait.estimate.runs import EngineRuns, run_engine
+from plategait.estimate.unknowns import FRICTION_ANGLE, FRICTION_RATIO, unknowns
+from plategait.model.presets import preset
+from plategait.simulation.run import simulate
+
+pytestmark = pytest.mark.linear_algebra
+
+CHEESE = measured_as(preset("cheese").scenario)
+CONDITIONS = tuple(Condition(0.05, 0.003, float(f)) for f in np.linspace(14, 25, 12))
+# deg/s for each condition and each of two unknowns: steep enough that 2 deg/s of noise leave a hundredth of the prior.
+SLOPES = np.random.default_rng(0).uniform(-100, 100, (len(CONDITIONS), 2))
+SD = 2.0
+TRUTH = np.array([0.4, 0.6])
+
+
+def linear_rates(u) -> np.ndarray:
+    """An engine whose rates are linear in the parameters."""
+    return 300 + np.asarray(u) @ SLOPES.T
+
+
+def linear_engine(unknowns, u, conditions, *, seed=0, progress=None) -> EngineRuns:
+    where = [round(c.frequency - 14) % len(CONDITIONS) for c in conditions]
+    return EngineRuns(u, tuple(conditions), linear_rates(u)[:, where], np.zeros((len(u), len(conditions)), bool))
+
+
+def observations(rate, sd=SD) -> Observations:
+    n = len(CONDITIONS)
+    return Observations(CONDITIONS, np.arange(n), np.asarray(rate), np.full(n, sd), np.zeros(n, bool))
+
+
+def two_unknowns():
+    return unknowns(CHEESE, fixed=("natural_frequency",))
+
+
+def sampled(rate, monkeypatch, sd=SD):
+    monkeypatch.setattr(posterior_module, "run_engine", linear_engine)
+    return estimate_posterior(observations(rate, sd), two_unknowns(), seed=1, effort=Effort(walkers=48))
+
+
+# Likelihood
+
+
+def test_the_likelihood_is_that_of_gaussian_noise_with_an_outlier_now_and_then():
+    emulator = RateEmulator(((np.arange(len(CONDITIONS)), linear_rates),), np.zeros(len(CONDITIONS)))
+    rate = linear_rates(TRUTH[None])[0] + np.random.default_rng(1).normal(0, SD, len(CONDITIONS))
+    likelihood = Likelihood(observations(rate), emulator, {}, None)
+    u = np.random.default_rng(2).random((20, 2))
+    inlier = norm.pdf(rate, linear_rates(u), SD)
+    outlier = norm.pdf(rate, linear_rates(u), OUTLIER_SPREAD * SD)
+    density = (1 - OUTLIER_SHARE) * inlier + OUTLIER_SHARE * outlier
+    with np.errstate(divide="ignore"):
+        expected = np.log(density).sum(axis=1)
+    within_range = np.isfinite(expected)  # what has not underflowed
+    assert within_range.any()
+    np.testing.assert_allclose(likelihood(u)[within_range], expected[within_range], rtol=1e-12)
+
+
+def test_an_error_of_the_emulator_widens_the_noise():
+    error = np.full(len(CONDITIONS), 1.5)
+    likelihood = Likelihood(observations(np.full(12, 300.0)), RateEmulator((), error), {}, None)
+    np.testing.assert_allclose(likelihood.spread(np.full((1, 12), 300.0), np.zeros(1)), math.hypot(SD, 1.5))
+
+
+def test_a_relative_noise_that_is_not_told_is_the_last_unknown():
+    emulator = RateEmulator(((np.arange(12), linear_rates),), np.zeros(12))
+    likelihood = Likelihood(observations(linear_rates(TRUTH[None])[0], math.nan), emulator, {}, None)
+    assert likelihood.noise_is_unknown
+    parameters, noise = likelihood.split(np.array([[0.4, 0.6, 0.0], [0.4, 0.6, 1.0]]))
+    assert parameters.shape == (2, 2)
+    np.testing.assert_allclose(noise, [0.005, 0.3])  # the ends of its prior
+    # Rates without noise are likelier the smaller it is taken.
+    first, second = likelihood(np.array([[0.4, 0.6, 0.0], [0.4, 0.6, 1.0]]))
+    assert first > second
+
+
+# Emulator
+
+
+def test_a_run_off_that_is_cubic_is_learnt_to_its_brackets():
+    u = np.random.default_rng(0).random((120, 2))
+    truth = 20 + 3 * u[:, 0] - 4 * u[:, 1] ** 3 + 2 * u[:, 0] ** 2 * u[:, 1]
+    emulator = fit_run_off(u, truth - 0.01, truth + 0.01, np.ones(120, bool))
+    assert emulator is not None
+    assert emulator.degree == 3
+    # A cubic is exact but for the ridge, which gives way to brackets this narrow.
+    assert np.abs(emulator(u) - truth).max() < 0.02
+
+
+# Particles
+
+
+def test_particles_cover_a_narrow_normal():
+    mean, sd = np.array([0.3, 0.7]), np.array([0.004, 0.02])
+    particles = explore(lambda u: -0.5 * (((u - mean) / sd) ** 2).sum(axis=1), 2, np.random.default_rng(3))
+    u = particles.resampled(1.0, 4000, np.random.default_rng(4))
+    # Points of a generation spread about the best before it and are weighted by the likelihood alone, not by how dense
+    # they lie: the centre is right, the spread up to a third too small.
+    assert (np.abs(u.mean(axis=0) - mean) < 0.2 * sd).all()
+    assert (u.std(axis=0) > 0.6 * sd).all()
+    assert (u.std(axis=0) < 1.1 * sd).all()
+
+
+def test_a_temperature_keeps_as_many_points_as_asked():
+    particles = Particles(np.zeros((1000, 1)), np.linspace(-500, 0, 1000))
+    weight = particles.weight(particles.temperature(100))
+    assert weight.sum() ** 2 / np.sum(weight**2) >= 100
+    assert Particles(np.zeros((1000, 1)), np.zeros(1000)).temperature(100) == 1
+
+
+def test_a_latin_hypercube_has_one_point_in_each_stratum():
+    u = stratified(20, 3, np.random.default_rng(0))
+    for column in u.T:
+        assert sorted((20 * column).astype(int)) == list(range(20))
+
+
+def test_points_beyond_the_cube_are_mirrored():
+    np.testing.assert_allclose(folded(np.array([-0.2, 0.3, 1.1, 2.4])), [0.2, 0.3, 0.9, 0.4])
+
+
+# Posterior
+
+
+def test_the_posterior_of_a_linear_engine_is_the_normal_of_least_squares(monkeypatch):
+    rate = linear_rates(TRUTH[None])[0] + np.random.default_rng(5).normal(0, SD, len(CONDITIONS))
+    posterior = sampled(rate, monkeypatch)
+    covariance = SD**2 * np.linalg.inv(SLOPES.T @ SLOPES)
+    mean = np.linalg.lstsq(SLOPES, rate - 300, rcond=None)[0]
+    sd = np.sqrt(np.diag(covariance))
+    # Some two thousand samples, of which neighbours are alike: a hundred or more that count. Three standard errors; the
+    # outliers' share widens the normal by a few percent.
+    np.testing.assert_allclose(posterior.u.mean(axis=0), mean, atol=0.3 * sd.max())
+    np.testing.assert_allclose(posterior.u.std(axis=0), sd, rtol=0.25)
+    assert len(posterior.runs.u) == sum(Effort().rounds(2))  # the emulators are exact after one later round
+
+
+def test_data_that_the_engine_makes_are_explained(monkeypatch):
+    rate = linear_rates(TRUTH[None])[0] + np.random.default_rng(6).normal(0, SD, len(CONDITIONS))
+    goodness = goodness_of_fit(sampled(rate, monkeypatch))
+    assert goodness.explained
+    assert goodness.freedom == len(CONDITIONS) - 2
+    assert goodness.p > 0.01
+    assert not goodness.outliers
+
+
+def test_an_outlier_is_named(monkeypatch):
+    rate = linear_rates(TRUTH[None])[0] + np.random.default_rng(7).normal(0, SD, len(CONDITIONS))
+    rate[5] += 12 * SD
+    goodness = goodness_of_fit(sampled(rate, monkeypatch))
+    assert goodness.outliers == (CONDITIONS[5].frequency,)
+    assert goodness.explained
+
+
+def test_rates_that_no_parameters_give_are_not_explained(monkeypatch):
+    free = np.linalg.svd(SLOPES)[0][:, 2:]  # what the parameters cannot make up for
+    rate = linear_rates(TRUTH[None])[0] + 6 * SD * free.sum(axis=1)
+    goodness = goodness_of_fit(sampled(rate, monkeypatch))
+    assert not goodness.explained
+
+
+def test_parameters_that_move_the_rates_alike_are_correlated(monkeypatch):
+    together = np.linspace(50, 90, len(CONDITIONS))
+    monkeypatch.setitem(globals(), "SLOPES", np.stack([together, together + np.linspace(-3, 3, 12)], axis=1))
+    posterior = sampled(linear_rates(TRUTH[None])[0], monkeypatch)
+    marginals = (marginal_of(FRICTION_ANGLE, posterior.u[:, 0]), marginal_of(FRICTION_RATIO, posterior.u[:, 1]))
+    ((one, other, r),) = correlated(Estimate(posterior, marginals, goodness_of_fit(posterior), 0.9))
+    assert {one, other} == {"friction_angle", "friction_ratio"}
+    assert r < -0.9
+
+
+# Engine
+
+
+def test_the_engine_runs_every_parameter_set_under_every_condition():
+    short = unknowns(CHEESE.replace(duration=0.5, transient=0.2))
+    u = np.array([[0.3, 0.5, 0.4], [0.6, 0.4, 0.5]])
+    conditions = (Condition(0.05, 0.003, 12.0), Condition(0.05, 0.003, 16.0))
+    runs = run_engine(short, u, conditions)
+    for i, values in enumerate(short.values(u)):
+        for j, condition in enumerate(conditions):
+            scenario = short.scenario(values)
+            alone = simulate(scenario.replace(motion=condition.motion(scenario.motion)))
+            assert runs.rates[i, j] == math.degrees(alone.spin_rate)
+
+
+def test_rates_beyond_the_first_failure_of_an_amplitude_do_not_count(monkeypatch):
+    conditions = [Condition(a, 0.003, f) for a in (0.05, 0.2) for f in (12.0, 16.0, 20.0)]
+    fails = {(0.05, 16.0)}  # and stays at 20 Hz again, an island
+
+    def engine(scenarios, **_):
+        motions = [s.motion for s in scenarios]
+        return [SimpleNamespace(spin_rate=1.0, failed=(m.angle, m.frequency) in fails) for m in motions]
+
+    monkeypatch.setattr(runs_module, "simulate_all", engine)
+    runs = run_engine(two_unknowns(), np.full((1, 2), 0.5), conditions)
+    np.testing.assert_array_equal(np.isfinite(runs.rates[0]), [True, False, False, True, True, True])
+    low, high = runs.brackets((0.05, 0.003))
+    assert (low[0], high[0]) == (12, 16)
+    assert math.isinf(runs.brackets((0.2, 0.003))[1][0])
+
+
+def test_predictions_span_a_little_more_than_was_measured(monkeypatch):
+    monkeypatch.setattr(prediction, "run_engine", linear_engine)
+    posterior = sampled(linear_rates(TRUTH[None])[0], monkeypatch)
+    done: list[float] = []
+    (curve,) = prediction.predict(posterior, progress=done.append)
+    assert (curve.frequency[0], curve.frequency[-1]) == pytest.approx((0.95 * 14, 1.05 * 25))
+    assert curve.rates.shape == (prediction.DRAWS, prediction.POINTS)
+
+
+# Planning
+
+
+def forecast(slopes, sd, n=4000) -> Forecast:
+    """Candidates whose rates are linear in one parameter of standard deviation 1, and at which nothing runs off."""
+    values = norm.ppf((np.arange(n) + 0.5) / n)[:, None]
+    conditions = tuple(Condition(0.05, 0.003, 10.0 + i) for i in range(len(slopes)))
+    return Forecast(conditions, values, values * np.array(slopes), np.full((n, len(slopes)), sd),
+                    np.ones((n, len(slopes))))  # fmt: skip
+
+
+def test_the_variance_left_after_a_measurement_is_that_of_a_normal():
+    toy = forecast([0.0, 1.0, 3.0], 2.0)
+    prior = toy.variances(toy.even)[0]
+    left = toy.expected_variances(toy.even)[:, 0]
+    # A straight line through a normal: 1/(1/s² + k²/σ²), of the samples' own variance.
+    np.testing.assert_allclose(left, [1 / (1 / prior + k**2 / 4) for k in (0, 1, 3)], rtol=1e-9)
+    assert np.argmin(left) == 2  # the steepest tells most
+
+
+def test_a_run_off_tells_without_a_rate():
+    """Whether the object stays halves the range: a half normal has the variance 1 - 2/π."""
+    toy = forecast([0.0], 1.0)
+    split = Forecast(toy.conditions, toy.values, toy.rates, toy.sd, (toy.values > 0).astype(float))
+    assert split.expected_variances(split.even)[0, 0] == pytest.approx(1 - 2 / math.pi, abs=2e-3)
+
+
+def test_as_many_measurements_are_needed_as_the_noise_asks_for():
+    toy = forecast([0.5, 1.0], 1.0)
+    scale = np.array([0.1])
+    assert measurements_needed(toy, scale, np.array([2.0]), seed=0) == (0, 0, 0)
+    # n measurements of noise 1 at slope 1 leave 1/(1 + n): 0.4² takes 5.25, so 6. Each future's own spread wavers.
+    least, median, most = measurements_needed(toy, scale, np.array([0.4]), seed=0)
+    assert least <= 6 <= most
+    assert abs(median - 6) <= 1
+    assert measurements_needed(toy, scale, np.array([1e-6]), seed=0) == (MOST_MEASUREMENTS,) * 3
