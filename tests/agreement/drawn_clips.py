@@ -25,7 +25,7 @@ class Clip:
 
     rate: float = 250.0
     fps: float = 30.0
-    seconds: float = 2.0
+    seconds: float = 1.5
     frequency: float = 11.0
     tilt: float = 6.0
     swing: float = 2.0
@@ -131,7 +131,7 @@ def draw(clip: Clip, path: Path) -> np.ndarray:
                     turn = math.degrees(float(clip.angle(np.array(time))))
                     M = cv2.getRotationMatrix2D(((colour.shape[1] - 1) / 2,) * 2, turn, 1.0)
                     M[:, 2] += (n - colour.shape[1]) / 2 + np.array([x + clip.drift * time, -y]) / GRAIN
-                    mask = cv2.warpAffine(cover, M, (n, n))[..., None] / 255
+                    mask = cv2.warpAffine(cover, M, (n, n))[..., None] / np.float32(255)
                     on_plate = (on_plate * (1 - mask) + cv2.warpAffine(colour, M, (n, n)) * mask).astype(np.uint8)
                     if clip.hidden is not None and clip.hidden(k):
                         tip = np.array([n / 2, n / 2]) + 0.024 / GRAIN * np.array(

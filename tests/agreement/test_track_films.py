@@ -22,7 +22,7 @@ from plategait.vision.setup import Setup
 from plategait.vision.track import Track, track
 
 SETUP = Setup(plate_size=(SIDE, SIDE), fiducial=FIDUCIAL)
-UNEVEN = tuple(np.cumsum(np.random.default_rng(3).uniform(0.02, 0.05, 60)) - 0.02)
+UNEVEN = tuple(np.cumsum(np.random.default_rng(3).uniform(0.02, 0.05, 45)) - 0.02)
 
 
 def error_of(result: Track, angle: np.ndarray) -> float:
@@ -34,12 +34,12 @@ def error_of(result: Track, angle: np.ndarray) -> float:
 @pytest.mark.parametrize(
     "clip",
     [
-        pytest.param(Clip(rate=15.0, swing=0.5, seconds=3.0), id="slow, 30 fps"),
-        pytest.param(Clip(rate=-750.0, seconds=1.5), id="fast, 30 fps"),
-        pytest.param(Clip(rate=750.0, fps=120.0, seconds=0.75), id="fast, 120 fps"),
+        pytest.param(Clip(rate=15.0, swing=0.5, seconds=2.5), id="slow, 30 fps"),
+        pytest.param(Clip(rate=-750.0), id="fast, 30 fps"),
+        pytest.param(Clip(rate=750.0, fps=120.0, seconds=0.5), id="fast, 120 fps"),
         pytest.param(Clip(rate=56.6, tilt=24.0, frequency=5.0), id="tilting by 24 deg"),
         pytest.param(Clip(hidden=lambda k: (k * 7919) % 10 < 4), id="hidden in 40 % of the frames"),
-        pytest.param(Clip(repeat=(5, 17, 30, 31, 45), dropped=(9, 22, 40)), id="repeated and dropped frames"),
+        pytest.param(Clip(repeat=(5, 17, 30, 31, 38), dropped=(9, 22, 40)), id="repeated and dropped frames"),
         pytest.param(Clip(times=UNEVEN), id="variable frame rate"),
         pytest.param(Clip(markers=False, speckle=0.08), id="texture"),
         pytest.param(Clip(markers=False, corners=4), id="outline of a square"),
@@ -61,7 +61,7 @@ def test_flat_objects(clip: Clip, tmp_path: Path) -> None:
 
 
 def test_a_known_scale_from_straight_above(tmp_path: Path) -> None:
-    clip = Clip(fiducials=False, overhead=True, tilt=0.0, drift=0.004)
+    clip = Clip(fiducials=False, overhead=True, tilt=0.0, drift=0.004, seconds=2.0)
     draw(clip, tmp_path / "clip.mp4")
     pixel = 0.33 * math.tan(math.radians(10)) / 180  # half a picture is 10 deg high, 0.33 m away
     result = track(tmp_path / "clip.mp4", Setup(plate_size=(SIDE, SIDE), plate="scale", scale=pixel))
@@ -72,8 +72,8 @@ def test_a_known_scale_from_straight_above(tmp_path: Path) -> None:
 
 def test_no_confident_wrong_answer(tmp_path: Path) -> None:
     for name, clip in {
-        "a plain disk": Clip(markers=False),
-        "a plain disk that bends the light": Clip(markers=False, rate=0.0),
+        "a plain disk": Clip(markers=False, seconds=1.0),
+        "a plain disk that bends the light": Clip(markers=False, rate=0.0, seconds=1.0),
         "too fast for the frames": Clip(rate=5300.0, seconds=1.0),
     }.items():
         draw(clip, tmp_path / "clip.mp4")
@@ -104,14 +104,14 @@ def test_bending_objects(
         **{
             "motion.frequency": frequency,
             "motion.angle": math.radians(angle),
-            "duration": 3.2,
+            "duration": 2.4,
             "transient": None,
             "slip_limit": 0.02,
         }
     )
     run = simulate(scenario, snapshot_interval=scenario.motion.period / 24)
     assert run.gait == gait
-    truth = film(run, tmp_path / "clip.mp4", usual_camera(scenario, 960, 540), 30, appearance, seconds=2.0)
+    truth = film(run, tmp_path / "clip.mp4", usual_camera(scenario, 960, 540), 30, appearance, seconds=1.2)
     result = track(
         tmp_path / "clip.mp4",
         Setup(plate_size=truth.target.size, fiducial=truth.target.marker, plate_frequency=frequency),

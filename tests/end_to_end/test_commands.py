@@ -215,12 +215,12 @@ def test_modes_prints_the_dish(tmp_path):
 
 
 @pytest.mark.parametrize("name", PRESETS)
-def test_a_printed_preset_runs_as_the_preset(name, tmp_path):
-    printed = plategait("scenario", "--print", name, cwd=tmp_path, check=0).stdout
+def test_a_printed_preset_runs_as_the_preset(name, called, tmp_path):
+    printed = called("scenario", "--print", name, cwd=tmp_path, check=0).stdout
     assert printed.startswith("# ")
     (tmp_path / "mine.toml").write_text(printed, encoding="utf-8")
     assert read_scenario(tmp_path / "mine.toml") == preset(name).scenario
-    done = plategait("simulate", "mine.toml", "--duration", "0.3 s", "--json", cwd=tmp_path)
+    done = called("simulate", "mine.toml", "--duration", "0.3 s", "--json", cwd=tmp_path, check=0)
     by_file, by_name = plain_json(done.stdout), simulate(preset(name).scenario.replace(duration=0.3)).summary()
     for clock in ("wall_s", "simulated_s_per_wall_s"):
         by_file.pop(clock), by_name.pop(clock)
@@ -242,13 +242,13 @@ def test_help_is_no_error(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["a[/b]", "a[red]b", "[bold]"])
-def test_brackets_in_a_name_are_just_brackets(name, tmp_path):
-    text = plategait("scenario", "--print", "cheese", cwd=tmp_path).stdout.replace(
+def test_brackets_in_a_name_are_just_brackets(name, called, tmp_path):
+    text = called("scenario", "--print", "cheese", cwd=tmp_path, check=0).stdout.replace(
         'name = "cheese"', f'name = "{name}"'
     )
     (tmp_path / "mine.toml").write_text(text)
     for arguments in (("modes", "mine.toml"), ("simulate", "mine.toml", "--duration", "0.05 s")):
-        assert name in plategait(*arguments, cwd=tmp_path, check=0).stdout
+        assert name in called(*arguments, cwd=tmp_path, check=0).stdout
 
 
 # What does not

@@ -13,7 +13,7 @@ resource = pytest.importorskip("resource", reason="limits of a process are Unix'
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
 CURVE = "frequency_hz,spin_rate_deg_s\n" + "".join(f"{f},{400 - (f - 21) ** 2}\n" for f in range(12, 30))
-RUN = ("simulate", "cheese", "--duration", "0.4 s")
+RUN = ("simulate", "cheese", "--duration", "0.1 s")
 
 
 def limited(limit: int, *arguments: str, cwd: Path, of: int = resource.RLIMIT_FSIZE) -> str:
@@ -32,8 +32,6 @@ def limited(limit: int, *arguments: str, cwd: Path, of: int = resource.RLIMIT_FS
     [
         (*RUN, "--out", "run.nc"),
         (*RUN, "--plot", "run.png"),
-        (*RUN, "--plot", "run.pdf"),
-        (*RUN, "--plot", "run.svg"),
         ("simulate", "cheese", "--duration", "0.05 s", "--film", "run.mp4"),
         (*RUN, "--filmstrip", "run.png"),
         ("curve", "cheese", "--duration", "0.2 s", "--frequency", "14:44:1Hz", "--out", "curve.csv"),

@@ -54,9 +54,9 @@ def test_an_example_becomes_a_fragment_that_simulates(tmp_path, kind, field, val
 
 @pytest.mark.parametrize("kind", ["bending", "compression", "friction", "modes"])
 @pytest.mark.parametrize("text", ["", "a,b\n1,2\n", UNITS], ids=["empty", "other columns", "other units"])
-def test_what_is_no_recording_is_one_line(tmp_path, kind, text):
+def test_what_is_no_recording_is_one_line(called, tmp_path, kind, text):
     (tmp_path / "r.csv").write_text(text)
-    done = plategait("identify", kind, "r.csv", "--out", "f.toml", cwd=tmp_path, check=2)
+    done = called("identify", kind, "r.csv", "--out", "f.toml", cwd=tmp_path, check=2)
     assert len(done.stderr.splitlines()) == 1
     assert not (tmp_path / "f.toml").exists()
 
@@ -102,10 +102,10 @@ def test_the_linear_method_and_its_refusal(tmp_path):
         (("nan.csv",), "line 3"), (("c.csv", "--with", "none.toml"), "none.toml"),
     ],
 )  # fmt: skip
-def test_bad_estimates_are_one_line(tmp_path, arguments, named):
+def test_bad_estimates_are_one_line(called, tmp_path, arguments, named):
     (tmp_path / "c.csv").write_text(CURVE)
     (tmp_path / "one.csv").write_text("frequency_hz,spin_rate_deg_s\n13,52\n")
     (tmp_path / "nan.csv").write_text("frequency_hz,spin_rate_deg_s\n13,52\n14,nan\n15,60\n")
-    done = plategait("estimate", *arguments, cwd=tmp_path, check=2)
+    done = called("estimate", *arguments, cwd=tmp_path, check=2)
     assert named in done.stderr
     assert len(done.stderr.splitlines()) == 1

@@ -19,7 +19,7 @@ def run(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
 
 def test_simulate_writes_every_picture_and_the_data(tmp_path):
     done = run(
-        "simulate", "cheese", "--duration", "0.6 s", "--frequency", "12 Hz", "--angle", "12 deg", "--plot", "run.png",
+        "simulate", "cheese", "--duration", "0.15 s", "--frequency", "12 Hz", "--angle", "12 deg", "--plot", "run.png",
         "--film", "run.mp4", "--filmstrip", "strip.png", "--out", "run.nc", cwd=tmp_path,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
@@ -34,11 +34,11 @@ def test_simulate_writes_every_picture_and_the_data(tmp_path):
 
 
 @pytest.mark.parametrize("suffix", ["png", "pdf", "svg"])
-def test_curve_and_modes_plot(tmp_path, suffix):
-    curve = run("curve", "--duration", "0.5 s", "--frequency", "14:26:2Hz", "--plot", f"c.{suffix}", cwd=tmp_path)
-    assert curve.returncode in (0, 1), curve.stderr
-    modes = run("modes", "--plot", f"m.{suffix}", cwd=tmp_path)
-    assert modes.returncode == 0, modes.stderr
+def test_curve_and_modes_plot(called, tmp_path, suffix):
+    # Too short and coarse for a Lorentz fit: status 1, and drawn all the same.
+    curve = ("curve", "--duration", "0.2 s", "--frequency", "14:26:4Hz")
+    called(*curve, "--plot", f"c.{suffix}", cwd=tmp_path, check=1)
+    called("modes", "--plot", f"m.{suffix}", cwd=tmp_path, check=0)
     for name in ("c", "m"):
         assert (tmp_path / f"{name}.{suffix}").stat().st_size > 3000
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
-FREQUENCIES = ("13.5", "14.5", "15.5", "17", "18", "19", "20", "22", "24", "26", "27", "28")
+FREQUENCIES = ("13.5", "15", "17", "20", "23", "26")
 OMEGA_PI, MU_S, BETA = 14.0, 0.84, 0.40 / 0.75
 
 
@@ -29,7 +29,7 @@ def test_the_full_circle(tmp_path):
 
     def shoot(frequency: str) -> None:
         plategait("shoot", "cheese", f"clips/{frequency}Hz.mp4", "--frequency", f"{frequency} Hz",
-                  "--natural-frequency", f"{OMEGA_PI} pi rad/s", "--mu-s", str(MU_S), "--seconds", "1.5",
+                  "--natural-frequency", f"{OMEGA_PI} pi rad/s", "--mu-s", str(MU_S), "--seconds", "1",
                   "--size", "480x270", cwd=tmp_path, check=0)  # fmt: skip
 
     with ThreadPoolExecutor(2) as pool:

@@ -261,19 +261,18 @@ def test_an_unknown_or_wrong_key_is_named_at_any_depth(tmp_path, table, line, fi
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("key", [line.split(" = ")[0] for line in write_scenario(CHEESE).splitlines() if '= "' in line])
 @pytest.mark.parametrize("bad", ["nan", "inf", "true", "[]", "{ a = 1 }", "2024-01-01", '"3 parsecs^5"'])
-def test_a_wrong_value_is_named(tmp_path, key, bad):
+def test_a_wrong_value_is_named(tmp_path, bad):
     path = tmp_path / "s.toml"
     lines = write_scenario(CHEESE).splitlines()
-    at = next(i for i, line in enumerate(lines) if line.startswith(f"{key} = "))
-    if key in ("name", "law") and bad.startswith('"'):
-        return
-    path.write_text("\n".join([*lines[:at], f"{key} = {bad}", *lines[at + 1 :]]))
-    with pytest.raises(InputError) as caught:
-        read_scenario(path)
-    assert caught.value.field.split(".")[-1] == key
-    assert "\n" not in str(caught.value)
+    for at, key in ((at, line.split(" = ")[0]) for at, line in enumerate(lines) if '= "' in line):
+        if key in ("name", "law") and bad.startswith('"'):
+            continue
+        path.write_text("\n".join([*lines[:at], f"{key} = {bad}", *lines[at + 1 :]]))
+        with pytest.raises(InputError) as caught:
+            read_scenario(path)
+        assert caught.value.field.split(".")[-1] == key
+        assert "\n" not in str(caught.value)
 
 
 def test_text_units_and_bare_si_numbers_are_the_same_scenario(tmp_path):

@@ -39,14 +39,20 @@ QUANTITIES = {
 }
 
 
+REGISTRY = pint.UnitRegistry()
+
+
 def pint_text(unit: str) -> str:
     return unit.replace("^", "**").replace("²", "**2")
 
 
 def refused(quantity: Quantity, value: object) -> InputError:
-    with pytest.raises(InputError) as caught:
-        quantity.read(value, "the_field")
-    error = caught.value
+    try:
+        read = quantity.read(value, "the_field")
+    except InputError as caught:
+        error = caught
+    else:
+        pytest.fail(f"{quantity} reads {value!r} as {read}")
     assert str(error).startswith("the_field: got ")
     assert "\n" not in str(error)
     # The suggestion is not decoration: it is read, and lies within the limits.
@@ -67,7 +73,7 @@ def test_every_quantity_of_the_module_is_found():
 @pytest.mark.parametrize("unit", units._COMMON)
 def test_a_common_unit_is_what_pint_says(unit):
     factor, si = units._COMMON[unit]
-    expected = pint.UnitRegistry().parse_expression(pint_text(unit)).to(pint_text(si)).magnitude
+    expected = REGISTRY.parse_expression(pint_text(unit)).to(pint_text(si)).magnitude
     assert factor == pytest.approx(expected, rel=1e-14)  # a few products of floats apart
     assert parse(f"3 {unit}", si) == pytest.approx(3 * expected, rel=1e-14)
 
@@ -104,9 +110,9 @@ def test_text_becomes_si(text, quantity, expected):
 
 
 @pytest.mark.parametrize("number", [2, 2.0, np.float64(2), np.float32(2), Fraction(2), Decimal(2), "2", " 2.0 "])
-@pytest.mark.parametrize("name", sorted(QUANTITIES))
-def test_a_bare_number_is_si(name, number):
-    assert QUANTITIES[name].read(number, "f") == 2.0
+def test_a_bare_number_is_si(number):
+    read = {name: quantity.read(number, "f") for name, quantity in QUANTITIES.items()}
+    assert read == dict.fromkeys(QUANTITIES, 2.0)
 
 
 @given(value=st.floats(1e-12, 1e12) | st.floats(-1e12, -1e-12) | st.just(0.0), name=st.sampled_from(sorted(QUANTITIES)))
@@ -116,26 +122,25 @@ def test_shown_text_reads_back(value, name):
     assert back == pytest.approx(value, rel=1e-9, abs=0)  # ten digits, as `show` promises
 
 
-@pytest.mark.parametrize("name", sorted(QUANTITIES))
-def test_every_example_works(name):
-    quantity = QUANTITIES[name]
-    assert quantity.read(quantity.example, "f") == parse(quantity.example, quantity.unit)
+def test_every_example_works():
+    for name, quantity in QUANTITIES.items():
+        assert quantity.read(quantity.example, "f") == parse(quantity.example, quantity.unit), name
 
 
-@pytest.mark.parametrize("name", sorted(QUANTITIES))
 @pytest.mark.parametrize(
     "value",
     [math.nan, math.inf, -math.inf, "nan", "inf", "-inf", "1e400", True, False, None, [], [1.0], (1.0,), {}, b"3",
      object, 1j, "", " ", "--", "abc", "12 deg3", "12 furlongs^3", "mm 12", "deg", "1 2", "0x10", "12 m/0", "3 kelvin"],
     ids=repr,
 )  # fmt: skip
-def test_what_is_no_such_number_is_refused(name, value):
-    assert refused(QUANTITIES[name], value).got is value
+def test_what_is_no_such_number_is_refused(value):
+    for name, quantity in QUANTITIES.items():
+        assert refused(quantity, value).got is value, name
 
 
 @pytest.mark.parametrize(
     "value",
-    [10**400, np.array([1.0, 2.0]), np.array([0.5]), np.True_, np.complex128(1), 3 * pint.UnitRegistry().second],
+    [10**400, np.array([1.0, 2.0]), np.array([0.5]), np.True_, np.complex128(1), 3 * REGISTRY.second],
     ids=["huge integer", "array", "array of one", "numpy bool", "numpy complex", "pint quantity"],
 )
 def test_what_only_looks_like_a_number_is_refused(value):
@@ -152,15 +157,14 @@ def test_the_wrong_dimension_is_refused(quantity, text):
     refused(quantity, text)
 
 
-@pytest.mark.parametrize("name", sorted(name for name, q in QUANTITIES.items() if max(q.above, q.at_least) >= 0))
-def test_a_negative_value_is_refused_where_the_least_is_zero(name):
-    quantity = QUANTITIES[name]
-    refused(quantity, -1.0)
-    refused(quantity, f"-1 {quantity.display}")
-    if quantity.above == 0:
-        refused(quantity, 0)
-    else:
-        assert quantity.read(0, "f") == 0.0
+def test_a_negative_value_is_refused_where_the_least_is_zero():
+    for quantity in (q for q in QUANTITIES.values() if max(q.above, q.at_least) >= 0):
+        refused(quantity, -1.0)
+        refused(quantity, f"-1 {quantity.display}")
+        if quantity.above == 0:
+            refused(quantity, 0)
+        else:
+            assert quantity.read(0, "f") == 0.0
 
 
 @pytest.mark.parametrize("text", ["12,5 mm", "1 2 mm", "12 2mm", "1,000 mm", "12+3 mm", "12%mm", "12 mm # x"])
