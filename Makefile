@@ -1,5 +1,6 @@
 # make demo   set up .venv, run the main job, say where its pictures are
 # make test   set up .venv, run the tests
+# make test-fast  run the unit tests and closed forms that take less than about a second each, and the command lines
 # make test-kernels  run what leans on linear algebra with another kernel of OpenBLAS than the processor's own
 # make lint   ruff, clang-format, pyright, import-linter
 # make bench  the speed report
@@ -13,7 +14,7 @@ BIN := .venv/bin
 PYTEST := OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
 SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 
-.PHONY: demo test test-kernels lint bench fuzz sanitize clean always
+.PHONY: demo test test-fast test-kernels lint bench fuzz sanitize clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
@@ -40,6 +41,10 @@ demo: .venv/installed
 
 test: .venv/installed-test
 	$(PYTEST)
+
+# The inner loop: without films, campaigns of processes, and comparisons with other engines and with what is published.
+test-fast: .venv/installed-test
+	$(PYTEST) -m "not slow" tests/unit tests/analytical tests/end_to_end/test_command_lines.py
 
 # Any x86-64 processor has Prescott's instructions, and hardly any in use chooses its kernel by itself.
 test-kernels: .venv/installed-test

@@ -167,6 +167,7 @@ def test_a_plate_that_the_sheet_never_reaches_the_end_of_changes_no_bit():
         assert np.array_equal(bounded[name], endless[name]), name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turns", [1.5, 4, 40])
 @pytest.mark.parametrize("axis", ["rz", "waves"])
 def test_a_rough_sheet_turns_with_a_turntable_of_many_turns(turns, axis):

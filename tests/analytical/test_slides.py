@@ -79,6 +79,7 @@ def test_the_slip_angle_is_not_that_of_the_first_frame_that_shows_it():
     assert abs(np.mean(errors)) < 0.02
 
 
+@pytest.mark.slow
 def test_a_smoothed_angle_is_as_sure_as_it_says():
     time = np.linspace(0, 2, 121)
     tilts = [smooth_tilt(time, 0.1 * time + np.random.default_rng(s).normal(0, 1e-3, 121)) for s in range(200)]
@@ -145,6 +146,7 @@ def test_the_engine_s_free_sheet_is_identified_from_its_ringing(damping):
     assert result.damping.value == pytest.approx(sheet.bending_damping, rel=1.5e-2)
 
 
+@pytest.mark.slow
 def test_the_engine_s_cantilever_is_identified_as_it_sags_from_level():
     # Let go level, it rings about its sag, which is 2 % of its length: gravity changes nothing to first order.
     length, pitch, area_mass = 0.01, 0.01 / 16, 2.6

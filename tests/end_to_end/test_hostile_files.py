@@ -164,7 +164,10 @@ def refused(arguments: list[str], monkeypatch, capsys) -> str:
 
 
 # Commands that read by the same function as another meet only some of it.
-ALIKE = {"--sheet", "scenario", "curve", "modes", "estimate --scenario", "estimate", "identify compression", "shoot"}
+ALIKE = {
+    *("--sheet", "scenario", "curve", "modes", "estimate --scenario", "shoot"), "estimate", "plot",
+    *("identify compression", "identify friction", "identify modes"),
+}  # fmt: skip
 SOME = ("nothing there", "empty", "a pipe", "zeros without end", "passwords", "terminal escapes", "100 MB")
 
 

@@ -163,6 +163,7 @@ def test_trajectories_come_thinned_as_asked(tmp_path):
     assert turned[-2] > 0.1
 
 
+@pytest.mark.slow
 def test_refinement_goes_where_it_matters_and_resumes(tmp_path):
     plan = {**PLAN, "set": {"duration": "1 s"}, "grid": {"motion.frequency": "12:32:4 Hz"}}
     once = sweep(plan, tmp_path / "a.zarr", refine=8)
@@ -180,6 +181,7 @@ def test_refinement_goes_where_it_matters_and_resumes(tmp_path):
     assert_same(tmp_path / "a.zarr", tmp_path / "b.zarr")
 
 
+@pytest.mark.slow
 def test_a_dask_cluster_gives_the_same_bits(store, tmp_path):
     distributed = pytest.importorskip("distributed")
     with (
@@ -190,6 +192,7 @@ def test_a_dask_cluster_gives_the_same_bits(store, tmp_path):
     assert_same(tmp_path / "d.zarr", store)
 
 
+@pytest.mark.slow
 def test_a_lost_worker_costs_a_retry(store, tmp_path):
     distributed = pytest.importorskip("distributed")
     cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None)

@@ -55,6 +55,7 @@ def test_what_progress_raises_stops_an_engine(name):
         ENGINES[name].load()([RunRequest(SHORT.replace(duration=1000.0))], progress=stop)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ENGINES)
 def test_engines_begin_alike(name):
     # One start and one plate for all: single precision to 1e-6 of the sheet's size.

@@ -21,6 +21,7 @@ def fuzz(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_random_scenarios_and_commands_neither_crash_nor_answer_with_nonsense():
     done = fuzz("--scenarios", "60", "--commands", "8", "--edges", "12", "--seed", "3")
     assert done.returncode == 0, done.stdout + done.stderr
@@ -42,6 +43,7 @@ TRIALS["scenario"] = spoilt
 """
 
 
+@pytest.mark.slow
 def test_the_fuzzer_sees_a_crash_a_hang_and_nonsense(tmp_path):
     # The worker is a new interpreter: it takes the spoilt trial from where it is started.
     (tmp_path / "sitecustomize.py").write_text(f"import sys\nsys.path.insert(0, {str(ROOT)!r})\n" + SPOILT)

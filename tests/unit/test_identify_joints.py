@@ -263,6 +263,7 @@ def test_a_recording_too_noisy_for_damping_says_so():
     assert noisy.summary()["bending_damping_n_mm_s_per_deg"] is None
 
 
+@pytest.mark.slow
 def test_a_second_mode_too_fast_for_the_camera_leaves_damping_open():
     # Ten times as stiff, the second mode is 245 Hz, beyond the 240 Hz that 480 pictures per second can show.
     fast = identify_bending(cantilever_recording(10 * K_B, C_B, jitter=2e-6, seed=1).angles)
@@ -270,6 +271,7 @@ def test_a_second_mode_too_fast_for_the_camera_leaves_damping_open():
     assert any("film faster" in note for note in fast.notes)
 
 
+@pytest.mark.slow
 def test_a_strip_that_creeps_is_followed_by_the_measured_wall_alone(monkeypatch):
     creeping = cantilever_recording(K_B, 20 * C_B, jitter=1e-5, seed=1).angles
     measured = identify_bending(creeping)
@@ -282,6 +284,7 @@ def test_a_strip_that_creeps_is_followed_by_the_measured_wall_alone(monkeypatch)
     assert any("--wall measured" in note for note in joint.notes)
 
 
+@pytest.mark.slow
 def test_a_free_wall_is_reported(strip):
     result = identify_bending(strip.angles, wall="free")
     assert result.wall_stiffness is not None
@@ -324,6 +327,7 @@ def test_the_regressions_of_the_source_are_near(strip, press, sagged, pressed):
     assert result.surface_damping.value == pytest.approx(C_S, rel=0.3)
 
 
+@pytest.mark.slow
 def test_a_million_rows_take_seconds():
     n = 1_000_000
     rng = np.random.default_rng(6)

@@ -89,6 +89,7 @@ def test_agrees_with_lmfit():
     assert (fit.interval_method, fit.scatter) == ("profile likelihood", "residual")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sd", [None, 6.0])
 def test_intervals_cover_the_truth_as_often_as_they_say(sd):
     # Five points, 2 degrees of freedom: with a normal quantile for Student's t, 81 % would be covered and not 95.

@@ -221,6 +221,7 @@ def test_a_finer_pitch_keeps_mass_and_stiffness(pitch):
     assert per_area == pytest.approx(1, abs=0.05)
 
 
+@pytest.mark.slow
 def test_the_natural_frequency_converges_with_the_pitch():
     # The staircase edge makes each pitch's own error ragged, so ask for a shrinking band and not for an order.
     frequencies = [CHEESE.sheet.replace(pitch=0.01 / n).natural_frequency for n in (1, 2, 3, 4, 5)]

@@ -42,6 +42,7 @@ def test_every_number_of_a_scenario_is_found():
     assert "sheet.outline.corners.1.0" in NUMBERS
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None)
 @given(st.sampled_from(NUMBERS), st.floats(0.9, 1.0))
 def test_every_number_is_read_set_and_read_back(name, share):

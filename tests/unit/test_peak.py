@@ -75,6 +75,7 @@ def test_what_only_rises_or_only_falls_has_no_peak(size, step, rises, falling):
     assert not falling or accepted(frequency, rate, ends_in_failure=True) is None
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=25)
 @given(
     size=sizes, heights=st.lists(st.floats(0.0, 0.1), min_size=4, max_size=15), gaps=st.lists(steps, min_size=16),
@@ -88,6 +89,7 @@ def test_a_single_high_point_is_no_peak(size, heights, gaps, place, failure):
     assert fit_shape(frequency, np.abs(rate), ends_in_failure=failure) is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("failure", [False, True])
 def test_noise_on_a_level_is_hardly_ever_a_peak(failure):
     # The test that a level does as well is one of 1 %; of peaks anywhere, some more pass it.

@@ -75,6 +75,7 @@ def refused(path: Path) -> str:
     return min(said)
 
 
+@pytest.mark.slow
 def test_every_flipped_bit_is_noticed_or_changes_nothing(store):
     whole = contents(store)
     files = sorted(path for path in store.rglob("*") if path.is_file() and path.stat().st_size)
@@ -96,6 +97,7 @@ def test_every_flipped_bit_is_noticed_or_changes_nothing(store):
     assert noticed > 0.9 * FLIPS, "what JSON and the codecs let pass is rare"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "which", ["zarr.json", "spin_rate/zarr.json", "motion.frequency/c.1", "time/c.0", "checksum/c.0"]
 )

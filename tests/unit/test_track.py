@@ -230,6 +230,7 @@ def test_what_is_no_video_is_said_in_a_line(tmp_path: Path, clip: Path) -> None:
         pass
 
 
+@pytest.mark.slow
 def test_a_file_cut_short_and_an_object_that_leaves_are_noted(tmp_path: Path) -> None:
     whole = tmp_path / "whole.mkv"
     draw(Clip(), whole)
@@ -261,6 +262,7 @@ def app() -> typer.Typer:
     return commands
 
 
+@pytest.mark.slow
 def test_the_command_writes_poses_and_a_preview(clip: Path, tmp_path: Path) -> None:
     poses, film = tmp_path / "poses.csv", tmp_path / "seen.mp4"
     result = CliRunner().invoke(

@@ -82,6 +82,7 @@ def test_a_file_tells_a_curve(curve_file):
     assert refused(pg.estimate_parameters, str(curve_file), "chese").hint == "cheese"
 
 
+@pytest.mark.slow
 def test_an_estimate_of_files_is_that_of_what_they_hold(curve_file):
     known = {"noise": 0.05, "friction_ratio": 0.53, "known": "natural_frequency"}
     by_name = pg.estimate_parameters(str(curve_file), "cheese", **known)
