@@ -10,14 +10,17 @@ import sys
 import time
 from pathlib import Path
 
+import av
 import numpy as np
 import pytest
 
 from plategait.cli import main
+from plategait.errors import InputError
 from plategait.files.input import LARGEST_TABLE, LARGEST_TOML
 from plategait.files.table import MOST_COLUMNS
 from plategait.model.presets import preset
 from plategait.model.scenario_file import write_scenario
+from plategait.vision.frames import open_video
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
 SECRET = "hunter2"
@@ -328,3 +331,18 @@ def test_a_table_as_large_as_allowed_takes_bounded_memory(folder):
                           timeout=60, check=False)  # fmt: skip
     assert done.returncode == 2
     assert "more than" in done.stderr
+
+
+def test_a_playlist_that_calls_itself_a_film_opens_nothing_else(tmp_path):
+    """To FFmpeg a playlist is a video: it would open what stands in it."""
+    (tmp_path / "clip.mp4").write_text("ffconcat version 1.0\nfile other.ts\n")
+    with av.open(str(tmp_path / "other.ts"), "w", format="mpegts") as container:
+        stream = container.add_stream("mpeg2video", rate=25)
+        stream.width = stream.height = 64
+        for _ in range(25):
+            container.mux(stream.encode(av.VideoFrame.from_ndarray(np.zeros((64, 64, 3), np.uint8))))
+        container.mux(stream.encode())
+    with pytest.raises(InputError, match="a video that can be read"), open_video(tmp_path / "clip.mp4"):
+        pass
+    with open_video(tmp_path / "other.ts") as video:
+        assert (video.width, video.height) == (64, 64)

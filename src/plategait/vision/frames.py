@@ -160,6 +160,14 @@ def _file(path: Path, fps: float | None, seconds: float | None) -> Iterator[Vide
         yield Video(path.name, width, height, fps or nominal, stream.frames, read)
 
 
+# A playlist is a video to FFmpeg, and would have it open other files and addresses: only containers are read.
+_SELF_CONTAINED = {
+    "protocol_whitelist": "file",
+    "format_whitelist": "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,mpeg,mpegts,mpegvideo,m4v,h264,hevc,ogg,flv,asf,gif,"
+    "yuv4mpegpipe,mjpeg,wav,mp3,aac",
+}
+
+
 def _container(path: Path) -> Any:
     """What FFmpeg makes of a file."""
     import av
@@ -168,7 +176,7 @@ def _container(path: Path) -> Any:
     if not os.path.isfile(path):  # as `is_file`, but for names too long
         raise InputError("video", str(path), "a video file that exists, or the number of a camera", _WORKS)
     try:
-        return av.open(str(path))
+        return av.open(str(path), options=_SELF_CONTAINED)
     except (FFmpegError, OSError, ValueError) as error:
         message = getattr(error, "strerror", None) or error
         raise InputError("video", f"{path} ({message})", "a video that can be read, whole to its end", _WORKS) from None
