@@ -39,22 +39,21 @@ def run(
     contact: Contact | None = None,
     friction: Friction | None = None,
     plate: Plate | None = None,
-    snapshots: bool = False,
+    snapshots: int = 0,
 ) -> Recording:
-    """Advance one sheet from given positions and velocities."""
+    """Advance one sheet from given positions and velocities; shapes are kept every so many steps."""
     scenario = Scenario(
         sheet=sheet, motion=motion, duration=duration, time_step=dt, gravity=gravity,
         contact=contact or Contact(), friction=friction or Friction(), plate=plate,
     )  # fmt: skip
     if snapshots:
-        # Samples follow the plate's period: a still plate of that frequency is sampled at every step.
-        scenario = scenario.replace(motion=motion.replace(frequency=1 / (24 * dt)))
+        # Samples follow the plate's period, 24 in each: that of a still plate may be anything.
+        scenario = scenario.replace(motion=motion.replace(frequency=1 / (24 * snapshots * dt)))
     start = None
     if positions is not None:
         positions = np.asarray(positions, dtype=float)
         start = (positions, np.zeros_like(positions) if velocities is None else np.asarray(velocities, dtype=float))
-    interval = dt if snapshots else 0.0
-    return cpu.run([RunRequest(scenario, initial=start, held=held, snapshot_interval=interval)], "float64")[0]
+    return cpu.run([RunRequest(scenario, initial=start, held=held, snapshot_interval=snapshots * dt)], "float64")[0]
 
 
 def flat(sheet: Sheet, height: float = 0.0) -> np.ndarray:

@@ -41,7 +41,7 @@ def test_a_node_that_rises_from_beneath_passes_and_lies_on_top_when_it_comes_dow
     # Up through the plate from 5 mm beneath it, no force on the way; then down on its top face like any other.
     recording = run(
         NODE, duration=0.3, dt=1e-4, plate=PLATE, positions=[[0.0505, 0.0, -5e-3]], velocities=[[-0.3, 0.0, 1.0]],
-        snapshots=True, friction=Friction(static=0.0, kinetic=0.0),
+        snapshots=1, friction=Friction(static=0.0, kinetic=0.0),
     )  # fmt: skip
     height = recording.snapshots[:, 0, 2]
     assert height.max() == pytest.approx(-5e-3 + 1 / (2 * 9.81), rel=2e-3), "a free throw, to v dt/2"

@@ -62,7 +62,7 @@ def test_an_undamped_bounce_keeps_its_speed_and_lasts_as_long_as_the_power_law_s
     for dt in steps:
         recording = run(
             NODE, duration=2 * lasts, dt=dt, gravity=0.0, positions=flat(NODE), velocities=[[0, 0, -v0]],
-            contact=Contact(damping=0.0), snapshots=True,
+            contact=Contact(damping=0.0), snapshots=1,
         )  # fmt: skip
         lost.append(1 - recording.velocities[0, 2] / v0)
         depths.append(-float(recording.snapshots[:, 0, 2].min()))
@@ -75,7 +75,7 @@ def test_an_undamped_bounce_keeps_its_speed_and_lasts_as_long_as_the_power_law_s
 
 
 def test_the_damped_contact_of_table_4_1_does_not_bounce():
-    recording = run(NODE, duration=0.2, dt=1e-4, positions=flat(NODE, 1e-3), snapshots=True)
+    recording = run(NODE, duration=0.2, dt=1e-4, positions=flat(NODE, 1e-3), snapshots=1)
     landed = recording.snapshots[:, 0, 2] < 0
     assert landed[-1]
     assert landed[np.argmax(landed) :].all(), "c_contact is far above critical: once down it stays down"

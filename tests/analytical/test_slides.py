@@ -131,7 +131,7 @@ def test_the_engine_s_free_sheet_is_identified_from_its_ringing(damping):
     dt = 1e-4
     positions = flat(sheet, 1.0)
     positions[:, 2] += 1e-5 * dish.shape
-    recording = run(sheet, duration=0.8, dt=dt, gravity=0.0, positions=positions, snapshots=True)
+    recording = run(sheet, duration=0.8, dt=dt, gravity=0.0, positions=positions, snapshots=1)
     middle = recording.snapshots[::20, :, 2].astype(float) @ dish.shape / (dish.shape @ dish.shape)
     ringing = RingRecording("engine", "deflection", recording.snapshot_time[::20], middle)
     result = identify_ring(ringing, CHEESE)
@@ -153,9 +153,9 @@ def test_the_engine_s_cantilever_is_identified_as_it_sags_from_level():
     sheet = strip(17, pitch=pitch, bending_stiffness=1.56e-4, bending_damping=2.4e-8)
     held = np.arange(17) < 2
     dt = 0.8 * sheet.stable_time_step
-    recording = run(sheet, duration=0.15, dt=dt, positions=flat(sheet, 0.05), held=held, snapshots=True)
-    tip = recording.snapshots[::100, -1, 2].astype(float)
-    ringing = RingRecording("engine", "deflection", recording.snapshot_time[::100], tip)
+    recording = run(sheet, duration=0.15, dt=dt, positions=flat(sheet, 0.05), held=held, snapshots=100)
+    tip = recording.snapshots[:, -1, 2].astype(float)
+    ringing = RingRecording("engine", "deflection", recording.snapshot_time, tip)
     result = identify_ring(ringing, CHEESE, support="cantilever", length=length, mass_per_area=area_mass)
     assert result.stiffness is not None
     assert result.damping is not None

@@ -374,7 +374,7 @@ def test_the_dataset_of_a_picture_reads_back(tmp_path, monkeypatch):
 
 # Interruption
 
-LONG = CHEESE.replace(duration=2000.0)
+LONG = CHEESE.replace(duration=1000.0)
 
 
 class EnoughError(Exception):
