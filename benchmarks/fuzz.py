@@ -98,7 +98,8 @@ def run_cases(
         for worker in list(workers):
             case = worker.answer() if worker.connection in ready else worker.overdue(limit)
             if case is not None:
-                yield *worker.current, case, worker.given
+                kind, index = worker.current
+                yield kind, index, case, worker.given
             if worker.lost or worker.done:
                 workers.remove(worker)
                 workers += worker.successors()

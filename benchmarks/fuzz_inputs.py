@@ -34,7 +34,7 @@ class Draw:
         return bool(self.generator.random() < share)
 
     def choice(self, options: Sequence[Any]) -> Any:
-        return options[self.generator.integers(len(options))]
+        return options[int(self.generator.integers(len(options)))]
 
     def whole(self, low: int, high: int) -> int:
         return int(self.generator.integers(low, high + 1))

@@ -12,7 +12,8 @@ from pathlib import Path
 
 import plategait as pg
 from plategait import render
-from plategait.plots import figures as plots
+from plategait.plots.figures import plot_curve, plot_modes, plot_run
+from plategait.plots.style import save
 from plategait.simulation.run import FILM_INTERVAL
 
 OUT = Path("out")
@@ -36,9 +37,9 @@ def main() -> None:
     print(f"That was {simulated:.0f} s of motion in {wall:.1f} s.")
 
     pg.write_curve(curve, OUT / "curve.csv")
-    plots.save(plots.plot_curve(curve), OUT / "curve.png")
-    plots.save(plots.plot_run(run), OUT / "run.png")
-    plots.save(plots.plot_modes(cheese.sheet), OUT / "modes.png")
+    save(plot_curve(curve), OUT / "curve.png")
+    save(plot_run(run), OUT / "run.png")
+    save(plot_modes(cheese.sheet), OUT / "modes.png")
     render.filmstrip(run, OUT / "filmstrip.png")
     render.film(run, OUT / "run.mp4")
 
