@@ -25,6 +25,7 @@ def plategait(*arguments: str, cwd: Path, check: int | None = None) -> subproces
 
 
 def test_the_full_circle(tmp_path):
+    # Some 20 s: six films are drawn and tracked, and the estimate has the engine in the loop.
     (tmp_path / "clips").mkdir()
 
     def shoot(frequency: str) -> None:
