@@ -9,7 +9,7 @@ import pytest
 
 from plategait import published
 from plategait.estimate import training
-from plategait.thesis import reproduce, runs
+from plategait.thesis import reproduce
 from plategait.thesis.fits import published_fits
 from plategait.thesis.regressions import regress
 from plategait.thesis.report import write_report
@@ -68,10 +68,8 @@ def test_the_bending_frequencies_of_table_5_9_are_half_of_omega():
 @pytest.fixture(scope="module")
 def study():
     # Some 30 s: every item, from 5000 runs. Two starts of each instead of the report's four give the same verdicts in
-    # half the time; batches of 400 runs instead of 1600 the same bits in a third of the memory.
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(runs, "BATCH", 400)
-        return reproduce(seed=1, repeats=2)
+    # half the time.
+    return reproduce(seed=1, repeats=2)
 
 
 def test_every_item_has_a_verdict_and_the_report_is_whole(study, tmp_path):

@@ -19,7 +19,7 @@ from plategait.simulation.run import simulate_all
 from plategait.thesis.cases import FIT_FROM, Case, fitted_cases
 
 # Runs side by side: more only takes memory, as each brings its samples.
-BATCH = 1600
+BATCH = 400
 STRICT_SLIP_LIMIT = 0.01
 """The source's own limit of drift, m."""
 
