@@ -16,7 +16,7 @@ from plategait.campaign.plan import Sweep, read_sweep
 from plategait.campaign.points import Point
 from plategait.campaign.refine import propose, refined_parameter
 from plategait.campaign.store import Store, with_coordinates
-from plategait.campaign.workers import Job, Workers, connect, here, on_dask
+from plategait.campaign.workers import Job, Workers, connect, on_dask, on_this_machine
 from plategait.errors import InputError
 from plategait.simulation.ensemble import TAKEN, Ensemble, together
 
@@ -101,7 +101,9 @@ class _Running:
         self.done, _ = store.state()
         self.arrays = variables(plan, points)
         self.workers: Workers = (
-            on_dask(plan, self.arrays, client) if client is not None else here(plan, self.arrays, threads, self._within)
+            on_dask(plan, self.arrays, client)
+            if client is not None
+            else on_this_machine(plan, self.arrays, threads, self._within)
         )
         self.progress, self.total, self.finished, self.current = progress, len(points), 0, 0
 

@@ -33,7 +33,9 @@ Progress = Callable[[int, float], object]
 Workers = Callable[[Sequence[Job]], Iterator[tuple[Job, Rows]]]
 
 
-def here(sweep: Sweep, arrays: Sequence[Variable], threads: int | None, progress: Callable[[float], object]) -> Workers:
+def on_this_machine(
+    sweep: Sweep, arrays: Sequence[Variable], threads: int | None, progress: Callable[[float], object]
+) -> Workers:
     """Run jobs one after the other, each on all cores; `progress` takes the fraction of a job."""
 
     def run(jobs: Sequence[Job]) -> Iterator[tuple[Job, Rows]]:
