@@ -28,7 +28,8 @@ class Runner(Protocol):
     ) -> list[Recording]:
         """Advance runs that may differ in everything, and give a recording of each, in their order.
 
-        A recording holds every one of `plategait.engine.channels`, and the same in whatever company the run was made:
+        A recording holds every one of `plategait.engine.channels`, sampled when its request says (`stride` steps of
+        the scenario's `dt`, whatever steps the engine itself takes), and the same in whatever company the run was made:
         the same bits by the native core, to rounding by others. A run that diverges is told by its recording; what the
         engine cannot do, or has not the memory for, is refused with an `InputError` before it starts. `threads` are
         cores to use at most, all by default; `progress` is called with the fraction done, and what it raises stops the

@@ -1,4 +1,4 @@
-"""How probable the measured points are, given parameters: rates, run-offs, noise and the outlier outlier."""
+"""How probable the measured points are, given parameters: rates, run-offs, noise and outliers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures of bending and compression recordings. They draw what was identified and compute nothing."""
+"""Picture of a bending recording and what was fitted to it. It draws what was identified and computes nothing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Recordings made from known truth, as a camera and a load cell would give them: to try a rig before it is built."""
+"""Recordings of a bending strip made from known truth, as a camera would give them: to try a rig before it is built."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tilt and free-vibration recordings made from known numbers, as a camera would see them."""
+"""Recordings of tilts made from known numbers, as a camera would see them."""
 
 from __future__ import annotations
 
