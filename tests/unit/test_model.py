@@ -15,7 +15,7 @@ from plategait.engine.recording import RunRequest
 from plategait.errors import InputError
 from plategait.model.contact import Contact, Friction
 from plategait.model.motion import PlateMotion, Samples, Wave, read_samples
-from plategait.model.outline import Disk, Rectangle
+from plategait.model.outline import SHAPES, Disk, Rectangle
 from plategait.model.presets import PRESETS, preset
 from plategait.model.scenario import Plate, Scenario, Start
 from plategait.model.sheet import Sheet
@@ -101,7 +101,7 @@ def test_an_unknown_field_is_named_with_the_right_one(make, wrong, right):
     assert right in caught.value.hint
 
 
-@pytest.mark.parametrize("name", ["disk", "mask", "polygon", "ellipse", "rectangle"])
+@pytest.mark.parametrize("name", SHAPES)
 def test_a_field_named_like_a_shape_is_unknown_all_the_same(name):
     with pytest.raises(InputError) as caught:
         Sheet(**MINIMAL, **{name: 1})

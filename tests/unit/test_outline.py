@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -11,7 +12,8 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from plategait.errors import InputError
-from plategait.model.outline import MOST_CORNERS, Disk, Ellipse, Mask, Polygon, Rectangle, occupied_squares
+from plategait.model.outline import MOST_CORNERS, Disk, Ellipse, Mask, Outline, Polygon, Rectangle, occupied_squares
+from plategait.model.sheet import Sheet
 
 DISK_ROWS = [4, 6, 8, 8, 8, 8, 6, 4]
 TRIANGLE = ((0.0, 0.0), (0.06, 0.0), (0.0, 0.06))
@@ -41,6 +43,19 @@ PERIMETERS = {
     "L": 0.24,
     "mask": 16 * 0.01,
 }
+
+
+def test_every_outline_is_held_to_its_area():
+    assert {type(outline) for outline in SHAPES.values()} == set(get_args(get_args(Outline)[0]))
+    assert SHAPES.keys() == AREAS.keys() == PERIMETERS.keys()
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_a_field_of_an_outline_is_named_as_it_was_typed(name):
+    wanted = {"outline": SHAPES[name].fields_with({}) | {"colour": "red"}}
+    with pytest.raises(InputError) as caught:
+        Sheet(mass=0.01, bending_stiffness=1e-4, axial_stiffness=800.0, **wanted)
+    assert caught.value.field == "outline.colour"
 
 
 def rows_of(squares: np.ndarray) -> list[int]:

@@ -22,11 +22,20 @@ if TYPE_CHECKING:
 else:
     _Fields = BaseModel
 
+_TAGS: set[str] = set()
+"""Shapes by which parts of a union are told apart: one of each model with a field `shape`."""
+
 
 class Model(_Fields):
     """A frozen description. Bad input raises `InputError`, one line that says what to type."""
 
     model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        """Take note of the shape that a new kind of outline goes by."""
+        if "shape" in cls.model_fields:
+            _TAGS.add(cls.model_fields["shape"].default)
 
     def __init__(self, **data: Any) -> None:
         try:
@@ -150,6 +159,3 @@ def _input_error(model: type[Model], detail: ErrorDetails) -> InputError:
     elif kind == "tuple_type":
         allowed = "a list"
     return InputError(field, got, allowed or "of the right form", _example(model, path[0]))
-
-
-_TAGS = {"disk", "ellipse", "rectangle", "polygon", "mask"}

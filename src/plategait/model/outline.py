@@ -8,7 +8,7 @@ import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -212,9 +212,11 @@ def _dark_pixels(path: Path) -> NDArray[np.bool_]:
 
 
 Outline = Annotated[Disk | Ellipse | Rectangle | Polygon | Mask, Field(discriminator="shape")]
+SHAPES: tuple[str, ...] = tuple(kind.model_fields["shape"].default for kind in get_args(get_args(Outline)[0]))
+"""What outlines are called in files."""
 
 
-def occupied_squares(outline: Disk | Ellipse | Rectangle | Polygon | Mask, pitch: float) -> NDArray[np.bool_]:
+def occupied_squares(outline: Outline, pitch: float) -> NDArray[np.bool_]:
     """Grid squares whose middle lies inside an outline.
 
     The grid is centred on the outline's bounding box; the dissertation's disk (radius 40 mm, pitch 10 mm) comes out as

@@ -12,7 +12,7 @@ from plategait.errors import InputError
 from plategait.model.base import Model
 from plategait.model.lattice import Lattice
 from plategait.model.modes import Modes, free_modes
-from plategait.model.outline import Outline, occupied_squares
+from plategait.model.outline import SHAPES, Outline, occupied_squares
 from plategait.units import (
     ANGULAR_FREQUENCY,
     AxialDamping,
@@ -34,7 +34,7 @@ class Sheet(Model):
 
     name: str = Field(default="sheet", description="what the results call it", examples=['"cheese"'])
     outline: Outline = Field(
-        description="what it is cut to: disk, ellipse, rectangle, polygon or mask",
+        description=f"what it is cut to: {', '.join(SHAPES[:-1])} or {SHAPES[-1]}",
         examples=['{ shape = "disk", radius = "40 mm" }'],
     )
     mass: Mass = Field(description="M, whole mass, shared evenly by the nodes")
