@@ -10,7 +10,7 @@ import pytest
 from plategait.campaign.plan import Sweep
 from plategait.engine import engines
 from plategait.engine.channels import CHANNELS
-from plategait.engine.engines import ENGINES, Engine, Row
+from plategait.engine.engines import ENGINES, Engine, EngineEntry
 from plategait.engine.recording import RunRequest
 from plategait.errors import InputError
 from plategait.model.presets import preset
@@ -68,7 +68,7 @@ def test_engines_begin_alike(name):
 
 
 def test_a_row_is_all_that_an_engine_needs(monkeypatch):
-    row = Row("the core under another name", "float32", ENGINES["cpu"].load)
+    row = EngineEntry("the core under another name", "float32", ENGINES["cpu"].load)
     monkeypatch.setattr(engines, "ENGINES", {**ENGINES, "other": row})
     there, here = simulate(SHORT, engine="other"), simulate(SHORT)  # type: ignore[arg-type]
     assert there.engine == "other"

@@ -39,7 +39,7 @@ class Runner(Protocol):
 
 
 @dataclass(frozen=True)
-class Row:
+class EngineEntry:
     """One engine.
 
     Attributes
@@ -69,14 +69,14 @@ def _tiles() -> Runner:
     return tile_runs.run
 
 
-ENGINES: Mapping[Engine, Row] = {
-    "cpu": Row("single precision", "float32", lambda: _cpu("float32")),
-    "cpu64": Row("double precision", "float64", lambda: _cpu("float64")),
-    "tiles": Row("rigid tiles, a slow second opinion", "float64", _tiles),
+ENGINES: Mapping[Engine, EngineEntry] = {
+    "cpu": EngineEntry("single precision", "float32", lambda: _cpu("float32")),
+    "cpu64": EngineEntry("double precision", "float64", lambda: _cpu("float64")),
+    "tiles": EngineEntry("rigid tiles, a slow second opinion", "float64", _tiles),
 }
 
 
-def engine(name: Engine) -> Row:
+def engine(name: Engine) -> EngineEntry:
     """Engine of a name.
 
     Raises

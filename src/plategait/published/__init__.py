@@ -1,4 +1,4 @@
-"""What the dissertation prints, as data: each number with its page or table, and the slips among them.
+"""What the dissertation prints, as data: each number with its page or table, and the errata among them.
 
 Its ω_n are nominal. It calls Table 4.1's sheet 10π rad/s, and makes the others by scaling that sheet's k_b; the model's
 dish mode with that k_b is 10.32π. So ``sheet.with_natural_frequency(ω_n, nominal=NOMINAL_NATURAL_FREQUENCY)`` of Table
@@ -74,7 +74,7 @@ class PublishedCurve:
 
 
 @dataclass(frozen=True)
-class Slip:
+class Erratum:
     """A place where the source disagrees with itself."""
 
     where: str
@@ -131,6 +131,6 @@ def single(name: str) -> Number:
 
 
 @cache
-def slips() -> tuple[Slip, ...]:
+def errata() -> tuple[Erratum, ...]:
     """Where the source disagrees with itself."""
-    return tuple(Slip(**entry) for entry in tomllib.loads(_text("slips.toml"))["slip"])
+    return tuple(Erratum(**entry) for entry in tomllib.loads(_text("errata.toml"))["erratum"])

@@ -183,7 +183,7 @@ def _page(study: Study, pictures: dict[str, bytes]) -> str:
     slips = Table(
         "",
         ("where", "the source says", "but", "used here"),
-        tuple((s.where, s.says, s.implies, s.used) for s in published.slips()),
+        tuple((s.where, s.says, s.implies, s.used) for s in published.errata()),
     )
     links = " · ".join(f'<a href="#{escape(item.name)}">{escape(item.name)}</a>' for item in study.items)
     return f"""<!doctype html>
