@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from dataclasses import dataclass
 from functools import cached_property
@@ -18,7 +17,7 @@ from plategait.campaign.points import Point, base_points
 from plategait.campaign.store import Store, check_path
 from plategait.errors import InputError
 from plategait.simulation.ensemble import TAKEN, Ensemble, mean_of_unfailed, together
-from plategait.simulation.registry import all_observables
+from plategait.simulation.registry import all_observables, check_name
 
 if TYPE_CHECKING:
     import xarray
@@ -86,15 +85,14 @@ class Campaign:
         InputError
             For a name that the store has no observable of.
         """
-        names = self.attributes["observables"]
-        if name not in names:
-            close = difflib.get_close_matches(name, names, n=1, cutoff=0) or names
-            raise InputError("observable", name, f"one of {', '.join(names)}", close[0])
+        check_name(name, self.attributes["observables"])
         values, failed = self.data[name].values, self.data["failure"].values.astype(object) != ""
-        taken_by = all_observables().get(name)
-        mean = taken_by.over(values, failed) if taken_by else mean_of_unfailed(values, failed)
-        squares = mean_of_unfailed((values - mean_of_unfailed(values, failed)[:, None]) ** 2, failed)
+        mean = mean_of_unfailed(values, failed)
+        squares = mean_of_unfailed((values - mean[:, None]) ** 2, failed)
         runs = (np.isfinite(values) & ~failed).sum(axis=1)
+        observable = all_observables().get(name)  # none where its package is not installed here
+        if observable is not None:
+            mean = observable.over(values, failed)
         return mean, np.sqrt(squares * runs / np.maximum(runs - 1, 1))
 
     def as_grid(self) -> xarray.Dataset:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -10,7 +9,6 @@ from typing import Unpack
 
 import numpy as np
 
-from plategait.arrays import Array
 from plategait.curve.curve import Curve
 from plategait.curve.curve_file import as_curve
 from plategait.curve.lorentz import fit_lorentzian
@@ -18,7 +16,7 @@ from plategait.errors import InputError
 from plategait.files.ranges import parse_frequencies
 from plategait.model.presets import Preset, as_scenario
 from plategait.model.scenario import Scenario
-from plategait.simulation.observation import Observation, ensemble_of
+from plategait.simulation.observation import Observation, ensemble_of, values_of
 from plategait.simulation.registry import all_observables
 from plategait.simulation.run import RunOptions, check_options, simulate_all
 from plategait.units import FREQUENCY
@@ -76,20 +74,8 @@ def curve_of(name: str, frequencies: Sequence[float], observations: Sequence[Seq
         failure=ensemble.failure,
         runs=np.full(len(ensemble.rate), float(ensemble.runs)),
         failed_runs=ensemble.failed_runs.astype(float),
-        values=_values(observations),
+        values={o.name: values_of(o, observations) for o in all_observables().values() if o.label},
     )
-
-
-def _values(observations: Sequence[Sequence[Observation]]) -> dict[str, Array]:
-    """Observables that tables show, over the runs of each frequency."""
-    failed = [[o.failure is not None for o in point] for point in observations]
-    return {
-        observable.name: observable.over(
-            [[o.values.get(observable.name, math.nan) for o in point] for point in observations], failed
-        )
-        for observable in all_observables().values()
-        if observable.label
-    }
 
 
 def _frequencies(frequencies: Sequence[float | str] | str) -> list[float]:

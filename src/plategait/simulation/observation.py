@@ -8,13 +8,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from plategait.arrays import Array
 from plategait.engine.recording import Recording
 from plategait.model.scenario import Scenario
 from plategait.simulation import observables
 from plategait.simulation.energy import EnergyLedger, energy_ledger, least_energy
 from plategait.simulation.ensemble import Ensemble, together
 from plategait.simulation.observables import Failure, SpinRate
-from plategait.simulation.registry import Window, measure_all
+from plategait.simulation.registry import Observable, Window, measure_all
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,12 @@ def _least_energy(scenario: Scenario) -> float:
     sheet = scenario.sheet
     size = float(np.ptp(sheet.lattice.rest, axis=0).max() + 1) * sheet.pitch
     return least_energy(sheet.mass * scenario.gravity, size)
+
+
+def values_of(observable: Observable, observations: Sequence[Sequence[Observation]]) -> Array:
+    """(n,) an observable over the runs of each point, SI; NaN where no run has it."""
+    values = [[o.values.get(observable.name, math.nan) for o in point] for point in observations]
+    return observable.over(values, [[o.failure is not None for o in point] for point in observations])
 
 
 def ensemble_of(observations: Sequence[Sequence[Observation]]) -> Ensemble:

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Callable, Collection, Container, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Literal
 
 import numpy as np
@@ -221,29 +221,35 @@ def find_observable(name: str) -> Observable:
         For a name that none has, with the nearest that one has.
     """
     by_name = all_observables()
-    if name not in by_name:
-        close = difflib.get_close_matches(name, by_name, n=1, cutoff=0) or ["drift"]
-        raise InputError("observable", name, f"one of {', '.join(by_name)}", close[0])
+    check_name(name, by_name)
     return by_name[name]
 
 
-_plug_ins: dict[str, Observable] | None = None
+def check_name(name: str, names: Collection[str]) -> None:
+    """Refuse a name that is none of the observables' here, with the nearest that is.
+
+    Raises
+    ------
+    InputError
+    """
+    if name not in names:
+        close = difflib.get_close_matches(name, names, n=1, cutoff=0) or ["drift"]
+        raise InputError("observable", name, f"one of {', '.join(names)}", close[0])
 
 
+@cache
 def _installed() -> dict[str, Observable]:
     """Observables that installed packages bring."""
-    global _plug_ins
-    if _plug_ins is None:
-        from importlib.metadata import entry_points
+    from importlib.metadata import entry_points
 
-        _plug_ins = {}
-        for point in entry_points(group=GROUP):
-            observable = point.load()
-            if not isinstance(observable, Observable):
-                raise InputError(f"{GROUP} {point.name}", point.value, "an Observable", "package.module:observable")
-            _check_free(observable.name, {o.name for o in BUILT_IN} | set(_plug_ins), f"{GROUP} {point.name}")
-            _plug_ins[observable.name] = observable
-    return _plug_ins
+    installed: dict[str, Observable] = {}
+    for point in entry_points(group=GROUP):
+        observable = point.load()
+        if not isinstance(observable, Observable):
+            raise InputError(f"{GROUP} {point.name}", point.value, "an Observable", "package.module:observable")
+        _check_free(observable.name, {o.name for o in BUILT_IN} | set(installed), f"{GROUP} {point.name}")
+        installed[observable.name] = observable
+    return installed
 
 
 def measure_all(window: Window) -> dict[str, float]:
@@ -254,12 +260,12 @@ def measure_all(window: Window) -> dict[str, float]:
     InputError
         When one that was added cannot be measured; names it.
     """
-    return {name: _measured(observable, window) for name, observable in all_observables().items()}
+    ours = {observable.name: observable.measure(window) for observable in BUILT_IN}
+    return ours | {name: _of_others(observable, window) for name, observable in (_installed() | _added).items()}
 
 
-def _measured(observable: Observable, window: Window) -> float:
-    if observable in BUILT_IN:
-        return observable.measure(window)
+def _of_others(observable: Observable, window: Window) -> float:
+    """What somebody else's function measures; an error of theirs is told as such."""
     try:
         return float(observable.measure(window))
     except Exception as error:

@@ -12,7 +12,7 @@ from plategait.files.plain import plain
 from plategait.model.scenario import Scenario
 from plategait.simulation.ensemble import Ensemble
 from plategait.simulation.observables import Failure
-from plategait.simulation.observation import Observation, ensemble_of
+from plategait.simulation.observation import Observation, ensemble_of, values_of
 from plategait.simulation.registry import all_observables, find_observable
 
 
@@ -117,8 +117,7 @@ class Simulation:
         InputError
             For a name that no observable has.
         """
-        values = [o.values.get(name, math.nan) for o in self.observations]
-        return float(find_observable(name).over(values, [o.failure is not None for o in self.observations]))
+        return float(values_of(find_observable(name), [self.observations])[0])
 
     @property
     def simulated(self) -> float:
