@@ -1,6 +1,7 @@
 """Observables by name: what may be one, and what several runs show together."""
 
 import math
+from importlib.metadata import EntryPoint
 
 import numpy as np
 import pytest
@@ -67,3 +68,15 @@ def test_headings_tell_the_unit_that_people_read():
     assert find_observable("drift").scale == 1000.0
     with pytest.raises(InputError, match="try bending_amplitude"):
         find_observable("bending_amplitudes")
+
+
+def test_a_plug_in_that_is_none_is_told_each_time(monkeypatch):
+    wrong = EntryPoint("wrong", "math:pi", registry.GROUP)
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: [wrong])
+    registry._installed.cache_clear()
+    try:
+        for _ in range(2):
+            with pytest.raises(InputError, match="wrong: got 'math:pi', must be an Observable"):
+                all_observables()
+    finally:
+        registry._installed.cache_clear()

@@ -100,8 +100,8 @@ def bending(
         result,
         determined=bool(result.parameters),
         answered="sheet.bending_stiffness" in result.parameters,
-        draw=lambda: _draw(result),
-        show=lambda: _print(result),
+        draw=_draw,
+        show=_print,
     )
 
 

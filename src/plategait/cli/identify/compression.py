@@ -54,8 +54,8 @@ def compression(
         result,
         determined=bool(result.parameters),
         answered="sheet.axial_stiffness" in result.parameters,
-        draw=lambda: _draw(result),
-        show=lambda: _print(result),
+        draw=_draw,
+        show=_print,
     )
 
 

@@ -39,8 +39,8 @@ def friction(
         result,
         determined=determined,
         answered=determined,
-        draw=lambda: _draw(result),
-        show=lambda: _print(result),
+        draw=_draw,
+        show=_print,
     )
 
 

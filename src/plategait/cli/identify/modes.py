@@ -68,8 +68,8 @@ def ring(
         result,
         determined=determined,
         answered=determined,
-        draw=lambda: _draw(result),
-        show=lambda: _print(result),
+        draw=_draw,
+        show=_print,
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Protocol
+from typing import TYPE_CHECKING, Annotated, Any, Protocol, TypeVar
 
 import typer
 
@@ -35,6 +35,9 @@ class Result(Protocol):
         ...
 
 
+R = TypeVar("R", bound=Result)
+
+
 def between(start: str | None, end: str | None) -> Window:
     """Times of --from and --to, s; open where left out."""
     from plategait.identify.series import Window
@@ -57,12 +60,12 @@ class OutputOptions:
 
     def deliver(
         self,
-        result: Result,
+        result: R,
         *,
         determined: bool,
         answered: bool,
-        draw: Callable[[], Figure],
-        show: Callable[[], object],
+        draw: Callable[[R], Figure],
+        show: Callable[[R], object],
     ) -> None:
         """Write the fragment, if anything is determined, and the picture; print; leave with 0, or 1 if not answered."""
         if self.out and determined:
@@ -72,6 +75,6 @@ class OutputOptions:
         if self.plot:
             from plategait.plots.style import save
 
-            save(draw(), self.plot)
-        report.print_json(result.summary()) if self.as_json else show()
+            save(draw(result), self.plot)
+        report.print_json(result.summary()) if self.as_json else show(result)
         raise typer.Exit(0 if answered else 1)
