@@ -1,0 +1,1 @@
+"""Studies: questions that the dissertation leaves open, answered with numbers and their uncertainty."""

@@ -1,0 +1,101 @@
+"""What the published numbers ask of a choice: residuals of all aims at once, in units of what each may miss."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from plategait import published
+from plategait.arrays import Array, Flags
+from plategait.study.evaluation import OUTPUTS, is_reference
+
+CURVES = published.curves()
+MAY_MISS = {"f0_hz": 0.03, "b_over_f0": 0.15, "peak": 0.10, "r2": 0.05, "line": 0.10}
+"""Deviation that counts as one: relative, but for R²."""
+# A curve without a fit counts as so many deviations.
+NO_FIT = 3.0
+RATE_AT_12 = 350.0
+"""Spin rate at A_p = 12 deg and 12 Hz, deg/s, running (section 4.3)."""
+REFERENCE = np.array([is_reference(c) for c in CURVES])
+"""Curves at the reference friction angle."""
+_ANGLE = np.array([c.angle_deg for c in CURVES])
+_OMEGA = np.array([c.omega_pi for c in CURVES])
+_ALPHA = np.array([c.alpha_deg for c in CURVES])
+_F0 = np.array([c.f0_hz for c in CURVES])
+_RATIO = np.array([c.b_over_f0 for c in CURVES])
+PEAKS = {(int(row[0]), float(row[1])): float(row[3]) for row in published.numbers()["rotation"]["rows"]}
+"""ω_Br max of Table 5.9, deg/s, by A_p (deg) and ω_n (π rad/s)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Residuals:
+    """Deviations (n, aims) of choices from what is published, each over what it may miss, in the order of `KIND`."""
+
+    values: Array
+
+    def loss(self, used: Flags | None = None) -> Array:
+        """(n,) sums of squares, over all aims or those used."""
+        squares = self.values**2
+        return squares.sum(axis=1) if used is None else squares[:, used].sum(axis=1)
+
+
+def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None) -> Residuals:
+    """Residuals of choices.
+
+    Parameters
+    ----------
+    fits : (n, curves, outputs) array
+        `OUTPUTS` of the fits; NaN where a curve has none.
+    at_12 : (n,) array
+        Rate at A_p = 12 deg and 12 Hz, deg/s; NaN where it fails.
+    uncertainty : (curves, outputs) array, optional
+        Of the fits, relative, where they come from a surrogate: added in quadrature to what they may miss.
+    """
+    error = np.zeros((len(CURVES), len(OUTPUTS))) if uncertainty is None else uncertainty
+    f0, ratio, peak = (fits[:, :, i] for i in range(len(OUTPUTS)))
+    blocks = [
+        (f0 / _F0 - 1) / np.hypot(MAY_MISS["f0_hz"], error[:, 0]),
+        (ratio / _RATIO - 1) / np.hypot(MAY_MISS["b_over_f0"], error[:, 1]),
+    ]
+    for (angle, omega), printed in PEAKS.items():
+        of_object = np.where(np.isfinite(peak), peak, -math.inf)[:, (angle == _ANGLE) & (omega == _OMEGA)].max(axis=1)
+        blocks.append((np.where(np.isfinite(of_object), of_object, math.nan) / printed - 1)[:, None] / MAY_MISS["peak"])
+    for angle in published.AMPLITUDES:
+        members, printed_line = angle == _ANGLE, published.regression(angle)
+        for x, y, r2, slope, intercept in (
+            (f0[:, members], _OMEGA[members], "r2_f0", "p1", "q1"),
+            (ratio[:, members], _ALPHA[members], "r2_ratio", "p2", "q2"),
+        ):
+            line = _lines(x, y)
+            blocks.append((line[:, :1] - printed_line[r2].value) / MAY_MISS["r2"])
+            blocks.append((line[:, 1:] / [printed_line[slope].value, printed_line[intercept].value] - 1)
+                          / MAY_MISS["line"])  # fmt: skip
+    blocks.append((at_12 / RATE_AT_12 - 1)[:, None] / MAY_MISS["peak"])
+    values = np.concatenate(blocks, axis=1)
+    return Residuals(np.where(np.isfinite(values), np.clip(values, -2 * NO_FIT, 2 * NO_FIT), NO_FIT))
+
+
+N_CURVES = len(CURVES)
+_LINES = [kind for _ in published.AMPLITUDES for kind in ("R² of ω_n", "line", "line", "R² of α", "line", "line")]
+KIND = np.array(["f0"] * N_CURVES + ["b/f0"] * N_CURVES + ["peak"] * len(PEAKS) + _LINES + ["12 Hz"])
+"""What each aim is about."""
+OF_CURVE = np.arange(len(KIND)) < 2 * N_CURVES
+"""Aims of single curves."""
+AT_REFERENCE = np.append(np.tile(REFERENCE, 2), np.zeros(len(KIND) - 2 * N_CURVES, dtype=bool))
+"""Aims of single curves at the reference friction angle."""
+
+
+def _lines(x: Array, y: Array) -> Array:
+    """(n, 3) R², slope and intercept of y on each row of x, where it is known."""
+    known = np.isfinite(x)
+    count = np.maximum(known.sum(axis=1), 1)
+    x0 = np.where(known, x, 0.0)
+    y0 = np.where(known, y, 0.0)
+    mean_x, mean_y = x0.sum(axis=1) / count, y0.sum(axis=1) / count
+    dx, dy = np.where(known, x - mean_x[:, None], 0.0), np.where(known, y - mean_y[:, None], 0.0)
+    sxx, sxy, syy = (dx**2).sum(axis=1), (dx * dy).sum(axis=1), (dy**2).sum(axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope, r2 = sxy / sxx, sxy**2 / (sxx * syy)
+    return np.stack([r2, slope, mean_y - slope * mean_x], axis=1)

@@ -1,0 +1,184 @@
+"""The 44 published curves simulated under many choices at once: a campaign each, and the fits of its curves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from plategait import published
+from plategait.arrays import Array
+from plategait.campaign.plan import Sweep
+from plategait.campaign.run import sweep
+from plategait.curve.curve import Curve
+from plategait.curve.quick_lorentz import Shape, fit_shape
+from plategait.model.presets import preset
+from plategait.model.scenario import Scenario
+from plategait.published import FRICTION_RATIO, PublishedCurve
+from plategait.simulation.ensemble import Ensemble
+from plategait.study.unknowns import Choice, parameters
+
+FREQUENCIES = {3: tuple(np.arange(13.0, 32.0, 1.0)), 12: tuple(np.arange(9.0, 16.0, 0.5))}
+"""Plate frequencies of the curves, Hz, by A_p in deg."""
+FITS_FROM = ({3: 13.0, 12: 9.0}, {3: 15.0, 12: 9.5}, {3: 17.0, 12: 10.0})
+"""Where the fit begins, Hz by A_p: the source does not say, so that a choice has to hold for three."""
+TRANSIENT = 0.6
+"""Unmeasured start of each run, s."""
+CHOICES_OF_STORE = 16
+"""Choices of one store: enough runs to fill the engine, few enough to lose little."""
+OUTPUTS = ("f0_hz", "b_over_f0", "peak")
+"""What is kept of each fit: Hz, none, deg/s."""
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """What choices make of the published curves.
+
+    Attributes
+    ----------
+    choices : tuple of Choice
+    fits : (choices, fits_from, curves, outputs) array
+        `OUTPUTS` of each fit in the order of `published.curves`; NaN where a curve has none.
+    at_12 : (choices,) array
+        Spin rate of Table 4.1's sheet at A_p = 12 deg and 12 Hz, deg/s (section 4.3); NaN where it fails.
+    """
+
+    choices: tuple[Choice, ...]
+    fits: Array
+    at_12: Array
+
+
+def _points(choices: Sequence[Choice]) -> dict[str, list[Any]]:
+    """Lists by parameter: every frequency of every curve of every choice."""
+    printed = printed_values()
+    rows: list[dict[str, Any]] = []
+    for choice in choices:
+        for curve in published.curves():
+            settled = parameters(choice, printed, curve.omega_pi * math.pi)
+            settled |= {
+                "motion.angle": math.radians(curve.angle_deg),
+                "friction_angle": math.radians(curve.alpha_deg),
+            }
+            rows += [settled | {"motion.frequency": f} for f in FREQUENCIES[curve.angle_deg]]
+    return {name: [row[name] for row in rows] for name in rows[0]}
+
+
+def printed_values() -> dict[str, float]:
+    """Printed values of Table 4.1 that a choice scales, SI."""
+    scenario = preset("cheese-as-printed").scenario
+    sheet = scenario.sheet
+    return {
+        "sheet.bending_stiffness": sheet.bending_stiffness,
+        "sheet.bending_damping": sheet.bending_damping,
+        "sheet.axial_stiffness": sheet.axial_stiffness,
+        "sheet.axial_damping": sheet.axial_damping,
+        "contact.damping": scenario.contact.damping,
+    }
+
+
+def base() -> Scenario:
+    """What all curves have in common."""
+    scenario = preset("cheese-as-printed").scenario
+    return scenario.replace(transient=TRANSIENT, friction=scenario.friction.with_ratio(FRICTION_RATIO))
+
+
+def evaluate(
+    choices: Sequence[Choice],
+    folder: Path,
+    name: str,
+    *,
+    repeats: int = 1,
+    seed: int = 0,
+    dask: object = None,
+    progress: Callable[[float], object] | None = None,
+) -> Evaluation:
+    """Simulate the published curves under each choice, in stores that resume, and fit them.
+
+    Parameters
+    ----------
+    choices : sequence of Choice
+    folder : Path
+        Of the stores.
+    name : str
+        Of this round; the same choices under the same name go on where they were interrupted.
+    repeats : int
+        Slightly different starts of each run.
+    seed, dask, progress
+        See `plategait.campaign.run.sweep`.
+
+    Raises
+    ------
+    InputError
+        When a store is another's, damaged, or cannot be written.
+    """
+    fits, at_12 = [], []
+    for first in range(0, len(choices), CHOICES_OF_STORE):
+        part = choices[first : first + CHOICES_OF_STORE]
+        plan = Sweep(name=name, scenario=base(), points=_points(part), repeats=repeats, seed=seed, batch=2000)
+        share, done = len(part) / len(choices), first / len(choices)
+        report = None if progress is None else (lambda x, d=done, s=share, p=progress: p(d + s * x))
+        campaign = sweep(plan, folder / f"{name}-{first:04d}.zarr", dask=dask, progress=report)
+        shown, rate = _fits(campaign.outcomes, len(part))
+        fits.append(shown)
+        at_12.append(rate)
+    return Evaluation(tuple(choices), np.concatenate(fits), np.concatenate(at_12))
+
+
+def _fits(points: Ensemble, n_choices: int) -> tuple[Array, Array]:
+    """Fits (choices, fits_from, curves, outputs) and rates at 12 deg and 12 Hz of the points of a store."""
+    curves = published.curves()
+    fits = np.full((n_choices, len(FITS_FROM), len(curves), len(OUTPUTS)), math.nan)
+    at_12, first = np.full(n_choices, math.nan), 0
+    for i in range(n_choices):
+        for j, published_curve in enumerate(curves):
+            frequencies = FREQUENCIES[published_curve.angle_deg]
+            curve = _curve(points, published_curve, slice(first, first + len(frequencies)))
+            first += len(frequencies)
+            for k, start in enumerate(FITS_FROM):
+                fit = _fit(curve, start[published_curve.angle_deg])
+                if fit is not None:
+                    fits[i, k, j] = [getattr(fit, name) for name in OUTPUTS]
+            if (published_curve.angle_deg, published_curve.omega_pi) == (12, 10.0) and is_reference(published_curve):
+                at = frequencies.index(12.0)
+                at_12[i] = math.nan if curve.failed[at] else curve.spin_rate_deg_s[at]
+    return fits, at_12
+
+
+def is_reference(curve: PublishedCurve) -> bool:
+    """Whether a published curve is of the reference friction angle."""
+    return curve.alpha_deg == published.REFERENCE_ALPHA
+
+
+def _curve(points: Ensemble, curve: PublishedCurve, part: slice) -> Curve:
+    return Curve(
+        name=curve.table,
+        frequency_hz=np.array(FREQUENCIES[curve.angle_deg]),
+        spin_rate_deg_s=np.degrees(points.rate[part]),
+        spin_rate_sd_deg_s=np.degrees(points.spread[part]),
+        gait=points.gait[part],
+        failure=points.failure[part],
+        runs=np.full(part.stop - part.start, float(points.runs)),
+        failed_runs=points.failed_runs[part].astype(float),
+    )
+
+
+def _fit(curve: Curve, start: float) -> Shape | None:
+    used = curve.fitted & (curve.frequency_hz >= start)
+    return fit_shape(curve.frequency_hz[used], curve.spin_rate_deg_s[used], ends_in_failure=curve.ends_in_failure)
+
+
+def joined(*evaluations: Evaluation) -> Evaluation:
+    """Several evaluations as one."""
+    first, *others = evaluations
+    for other in others:
+        first = replace(
+            first,
+            choices=first.choices + other.choices,
+            fits=np.concatenate([first.fits, other.fits]),
+            at_12=np.concatenate([first.at_12, other.at_12]),
+        )
+    return first

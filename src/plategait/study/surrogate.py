@@ -1,0 +1,82 @@
+"""What the simulations would give under choices that were not run: quadratic in the unknowns, learnt from some."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from plategait.arrays import Array
+
+RIDGES = 10.0 ** np.arange(-2, 4)
+"""Penalties on the coefficients that are tried; leaving out one evaluation in turn decides."""
+# Outputs known of fewer evaluations than this share are not learnt.
+LEAST_SHARE = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Surrogate:
+    """Outputs over the unknowns.
+
+    Attributes
+    ----------
+    coefficients : (terms, outputs) array
+    error : (outputs,) array
+        Root mean square of what it misses of an evaluation that was left out: its own error, and chaos. Infinite for an
+        output that is not learnt.
+    """
+
+    coefficients: Array
+    error: Array
+
+    def __call__(self, x: Array) -> Array:
+        """Outputs (n, outputs) at standardised unknowns (n, d)."""
+        return _terms(x) @ self.coefficients
+
+
+def _terms(x: Array) -> Array:
+    """(n, terms) constant, linear, squares and products."""
+    products = [x[:, i] * x[:, j] for i, j in combinations(range(x.shape[1]), 2)]
+    return np.column_stack([np.ones(len(x)), x, x**2, *products])
+
+
+def learn(x: Array, outputs: Array, weight: Array | None = None) -> Surrogate:
+    """Learn outputs (n, outputs), NaN where there is none, at standardised unknowns (n, d).
+
+    Parameters
+    ----------
+    weight : (n,) array, optional
+        How much each evaluation counts; all alike by default.
+    """
+    terms = _terms(x)
+    weight = np.ones(len(x)) if weight is None else weight
+    coefficients = np.zeros((terms.shape[1], outputs.shape[1]))
+    error = np.full(outputs.shape[1], np.inf)
+    for column in range(outputs.shape[1]):
+        rows = np.isfinite(outputs[:, column])
+        if rows.mean() >= LEAST_SHARE:
+            coefficients[:, column], error[column] = _ridge(terms[rows], outputs[rows, column], weight[rows])
+    return Surrogate(coefficients, error)
+
+
+def _ridge(terms: Array, y: Array, weight: Array) -> tuple[Array, float]:
+    """Coefficients of the penalty under which an evaluation that is left out is met best, and that error.
+
+    Leaving one out changes its residual by 1/(1 - h), h the diagonal of the hat matrix.
+    """
+    root = np.sqrt(weight)
+    centre = np.average(y, weights=weight)
+    u, s, vt = np.linalg.svd(root[:, None] * terms, full_matrices=False)
+    projected = u.T @ (root * (y - centre))
+    best, best_error = np.zeros(terms.shape[1]), np.inf
+    for ridge in RIDGES:
+        shrink = s**2 / (s**2 + ridge)
+        residual = root * (y - centre) - u @ (shrink * projected)
+        leverage = np.minimum((u**2) @ shrink, 1 - 1e-6)
+        error = float(np.sqrt(np.sum((residual / (1 - leverage)) ** 2) / weight.sum()))
+        if error < best_error:
+            best_error, best = error, vt.T @ (shrink / s * projected)
+    best = best.copy()
+    best[0] += centre
+    return best, best_error
