@@ -80,7 +80,7 @@ def learnt(evaluation: Evaluation, weight: Array | None = None) -> Learnt:
 
 def spread(count: int, seed: int) -> list[Choice]:
     """Choices that fill the priors, both laws in turn."""
-    shares = qmc.Sobol(len(UNKNOWNS), seed=seed).random(count)
+    shares = qmc.Sobol(len(UNKNOWNS), seed=np.random.default_rng(seed)).random(count)  # pyright: ignore[reportCallIssue]
     z = np.stack([unknown.quantile(shares[:, i]) for i, unknown in enumerate(UNKNOWNS)], axis=1)
     return [choice_at(row, LAWS[i % 2]) for i, row in enumerate(np.clip(z, -FARTHEST, FARTHEST))]
 
