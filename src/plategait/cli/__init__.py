@@ -17,6 +17,7 @@ from plategait.cli.modes import modes
 from plategait.cli.scenario import scenario_command
 from plategait.cli.shoot import shoot
 from plategait.cli.simulate import simulate
+from plategait.cli.study import study
 from plategait.cli.sweep import plot_store, sweep
 from plategait.cli.target import target
 from plategait.cli.thesis import thesis
@@ -61,6 +62,7 @@ app.command(cls=Command)(shoot)
 app.command(cls=Command)(sweep)
 app.command(name="plot", cls=Command)(plot_store)
 app.command(cls=Command)(thesis)
+app.add_typer(study, name="study")
 
 
 def main() -> None:

@@ -23,8 +23,8 @@ REFERENCE = np.array([is_reference(c) for c in CURVES])
 _ANGLE = np.array([c.angle_deg for c in CURVES])
 _OMEGA = np.array([c.omega_pi for c in CURVES])
 _ALPHA = np.array([c.alpha_deg for c in CURVES])
-_F0 = np.array([c.f0_hz for c in CURVES])
-_RATIO = np.array([c.b_over_f0 for c in CURVES])
+PUBLISHED_F0, PUBLISHED_RATIO = (np.array([getattr(c, name) for c in CURVES]) for name in ("f0_hz", "b_over_f0"))
+"""Of each curve, Hz and none."""
 PEAKS = {(int(row[0]), float(row[1])): float(row[3]) for row in published.numbers()["rotation"]["rows"]}
 """ω_Br max of Table 5.9, deg/s, by A_p (deg) and ω_n (π rad/s)."""
 
@@ -56,8 +56,8 @@ def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None) -> Re
     error = np.zeros((len(CURVES), len(OUTPUTS))) if uncertainty is None else uncertainty
     f0, ratio, peak = (fits[:, :, i] for i in range(len(OUTPUTS)))
     blocks = [
-        (f0 / _F0 - 1) / np.hypot(MAY_MISS["f0_hz"], error[:, 0]),
-        (ratio / _RATIO - 1) / np.hypot(MAY_MISS["b_over_f0"], error[:, 1]),
+        (f0 / PUBLISHED_F0 - 1) / np.hypot(MAY_MISS["f0_hz"], error[:, 0]),
+        (ratio / PUBLISHED_RATIO - 1) / np.hypot(MAY_MISS["b_over_f0"], error[:, 1]),
     ]
     for (angle, omega), printed in PEAKS.items():
         of_object = np.where(np.isfinite(peak), peak, -math.inf)[:, (angle == _ANGLE) & (omega == _OMEGA)].max(axis=1)

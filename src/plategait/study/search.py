@@ -130,7 +130,7 @@ def posterior(
     sampler = emcee.EnsembleSampler(WALKERS, int(free.sum()), log_probability, vectorize=True)
     sampler.random_state = np.random.RandomState(seed).get_state()
     sampler.run_mcmc(start, STEPS)
-    samples = whole(sampler.get_chain(discard=BURNT, thin=10, flat=True))
+    samples = whole(np.asarray(sampler.get_chain(discard=BURNT, thin=10, flat=True)))
     return samples, found.misfit(np.column_stack([samples, np.full(len(samples), sign)]), used)
 
 

@@ -75,7 +75,7 @@ UNKNOWNS = (
     Unknown("duration", 1.6, math.log(1.25), "log", "how long each frequency is run is not printed", "s"),
 )  # fmt: skip
 NAMES = tuple(unknown.name for unknown in UNKNOWNS)
-LAWS = ("thesis", "adams")
+LAWS: tuple[str, str] = ("thesis", "adams")
 """Laws of friction: (3.2) as printed, and the smooth one of the source's solver."""
 
 

@@ -1,0 +1,70 @@
+"""`plategait study`: questions that the dissertation leaves open, answered with numbers."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from plategait.cli import options, report
+from plategait.cli.command import Command
+from plategait.files.output import write_whole
+
+if TYPE_CHECKING:
+    from plategait.study.source import SourceStudy
+
+study = typer.Typer(help="Studies: what the dissertation leaves open, answered with numbers and their uncertainty.")
+
+
+@study.callback()
+def _studies() -> None:
+    """Studies: what the dissertation leaves open, answered with numbers and their uncertainty."""
+
+
+@study.command(cls=Command)
+def source(
+    out: Annotated[Path, typer.Option("--out", help="Folder for stores, figures and source.json.")] = Path("source"),
+    seeds: Annotated[int, typer.Option("--seeds", help="Independent searches.", min=1)] = 3,
+    evaluations: Annotated[
+        int, typer.Option("--evaluations", help="Of each search over the priors; two thirds as many follow.", min=32)
+    ] = 96,
+    dask: Annotated[str | None, typer.Option("--dask", help="Run on the Dask cluster at this address.")] = None,
+    as_json: options.Json = False,
+) -> None:
+    """Search everything that the source's simulations leave open, against all that it published.
+
+    Interrupted, the same command goes on where it was.
+    """
+    from plategait.plots.style import save
+    from plategait.study import figures
+    from plategait.study.source import study_source
+
+    third = max(evaluations // 3, 8)
+    with report.progress_bar("searching") as progress:
+        found = study_source(
+            out / "stores", seeds=seeds, first=evaluations, rounds=(third, third), dask=dask, progress=progress
+        )
+    for name in ("departures", "unknowns", "curves", "trades"):
+        save(getattr(figures, f"draw_{name}")(found), out / f"{name}.png")
+    summary = found.summary()
+    write_whole(json.dumps(summary, indent=2, ensure_ascii=False).encode(), out / "source.json", (".json",))
+    report.print_json(summary) if as_json else _print(found)
+
+
+def _print(found: SourceStudy) -> None:
+    rows = []
+    for name, told in found.summary()["unknowns"].items():
+        low, middle, high = told["interval"]
+        rows.append([name, f"{middle:.3g}", f"{low:.3g} to {high:.3g}", "yes" if told["determined"] else "no"])
+    report.print_table("what the published data say of each unknown", ["", "median", "90 %", "determined"], rows)
+    departures = ", ".join(f"{name} {found.chosen.choice[name]:.3g}" for name in found.chosen.free) or "none"
+    print(f"departures that pay for themselves, with the {found.chosen.law} law: {departures}\n")
+    rows = [
+        [t["name"], f"{t['loss'][0]:.0f}", f"{100 * t['median_f0']:.1f}", f"{100 * t['largest_f0']:.1f}",
+         f"{100 * t['median_b_over_f0']:.1f}", f"{t['rate_at_12_hz_deg_s']:.0f}", str(t["without_fit"])]
+        for t in found.summary()["told"]
+    ]  # fmt: skip
+    columns = ["", "loss", "median |Δf0| %", "largest %", "median |Δ(b/f0)| %", "deg/s at 12 Hz", "no fit"]
+    report.print_table("choices, simulated with four starts", columns, rows)

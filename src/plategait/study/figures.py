@@ -1,0 +1,85 @@
+"""Pictures of the study of the source's unknowns, one for each finding. They draw and compute nothing new."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, label_axes, new_figure
+from plategait.study.aims import PUBLISHED_F0, PUBLISHED_RATIO
+from plategait.study.source import QUANTILES, SourceStudy
+from plategait.study.unknowns import LAWS, NAMES
+
+_COLOURS = dict(zip(LAWS, (BLUE, ORANGE), strict=True))
+_TOLD = {"as printed": (GREY, "x"), "today's preset": (ORANGE, "s"), "found on all curves": (GREEN, "o")}
+
+
+def draw_departures(study: SourceStudy) -> Figure:
+    """What each departure buys, and what the number of them costs."""
+    figure = new_figure(6.4, 4.2)
+    axes = figure.add_subplot()
+    for law, steps in study.steps.items():
+        count = range(len(steps))
+        axes.plot(
+            count, [s.misfit for s in steps], "o--", color=_COLOURS[law], mfc="white", ms=5, label=f"{law}: misfit"
+        )
+        axes.plot(count, [s.criterion for s in steps], "o-", color=_COLOURS[law], ms=5, label=f"{law}: and k ln n")
+    steps = study.steps[study.chosen.law]
+    for number, step in enumerate(steps[1:], start=1):
+        axes.annotate(
+            step.free[-1], (number, step.misfit), (0, -12), textcoords="offset points", ha="center", fontsize=7
+        )
+    axes.plot(len(study.chosen.free), study.chosen.criterion, "*", color="black", ms=13, label="chosen")
+    label_axes(axes, "departures from what is printed", "sum of squared deviations")
+    axes.set_ylim(bottom=0)
+    axes.legend(frameon=False, fontsize=8)
+    return figure
+
+
+def draw_unknowns(study: SourceStudy) -> Figure:
+    """Posterior of each unknown, in standard deviations of its prior."""
+    figure = new_figure(6.4, 4.6)
+    axes = figure.add_subplot()
+    low, middle, high = np.quantile(study.samples, QUANTILES, axis=0)
+    places = np.arange(len(NAMES))[::-1]
+    axes.hlines(places, low, high, color=BLUE, lw=3)
+    axes.plot(middle, places, "o", color=BLUE, mfc="white", ms=6, label="posterior, 90 %")
+    for step in study.by_seed:
+        free = [NAMES.index(name) for name in step.free]
+        axes.plot(step.deviations[free], places[free], "|", color=GREEN, ms=11, mew=1.5)
+    axes.plot([], [], "|", color=GREEN, ms=11, mew=1.5, label="chosen departures, by seed")
+    axes.axvline(0, color=GREY, lw=0.8)
+    axes.set_yticks(places, NAMES)
+    label_axes(axes, "standard deviations of the prior from the printed value", "")
+    axes.legend(frameon=False, fontsize=8)
+    return figure
+
+
+def draw_curves(study: SourceStudy) -> Figure:
+    """Fits of all 44 curves against the published ones."""
+    figure = new_figure(9.0, 4.2)
+    panels = figure.subplots(1, 2)
+    for axes, column, printed, label in (
+        (panels[0], 0, PUBLISHED_F0, "$f_0$ (Hz)"),
+        (panels[1], 1, PUBLISHED_RATIO, "$b/f_0$"),
+    ):
+        ends = [printed.min(), printed.max()]
+        axes.plot(ends, ends, color=GREY, lw=0.8)
+        for told in study.told:
+            if told.name in _TOLD:
+                colour, marker = _TOLD[told.name]
+                axes.plot(printed, told.fits[0, :, column], marker, color=colour, mfc="none", ms=5, label=told.name)
+        label_axes(axes, f"published {label}", f"simulated {label}")
+    panels[0].legend(frameon=False, fontsize=8)
+    return figure
+
+
+def draw_trades(study: SourceStudy) -> Figure:
+    """Which unknowns trade against each other: correlations of the posterior."""
+    figure = new_figure(6.4, 5.6)
+    axes = figure.add_subplot()
+    image = axes.imshow(np.corrcoef(study.samples.T), cmap="RdBu", vmin=-1, vmax=1)
+    axes.set_xticks(range(len(NAMES)), NAMES, rotation=45, ha="right", fontsize=8)
+    axes.set_yticks(range(len(NAMES)), NAMES, fontsize=8)
+    figure.colorbar(image, ax=axes, label="correlation")
+    return figure
