@@ -53,30 +53,33 @@ def learn(x: Array, outputs: Array, weight: Array | None = None) -> Surrogate:
     weight = np.ones(len(x)) if weight is None else weight
     coefficients = np.zeros((terms.shape[1], outputs.shape[1]))
     error = np.full(outputs.shape[1], np.inf)
-    for column in range(outputs.shape[1]):
-        rows = np.isfinite(outputs[:, column])
+    # Outputs that the same evaluations have are learnt together.
+    patterns, group = np.unique(np.isfinite(outputs), axis=1, return_inverse=True)
+    for number, rows in enumerate(patterns.T):
+        columns = np.flatnonzero(group.ravel() == number)
         if rows.mean() >= LEAST_SHARE:
-            coefficients[:, column], error[column] = _ridge(terms[rows], outputs[rows, column], weight[rows])
+            coefficients[:, columns], error[columns] = _ridge(terms[rows], outputs[np.ix_(rows, columns)], weight[rows])
     return Surrogate(coefficients, error)
 
 
-def _ridge(terms: Array, y: Array, weight: Array) -> tuple[Array, float]:
-    """Coefficients of the penalty under which an evaluation that is left out is met best, and that error.
+def _ridge(terms: Array, y: Array, weight: Array) -> tuple[Array, Array]:
+    """Coefficients (terms, k) of the penalty under which an evaluation that is left out is met best, and errors (k,).
 
     Leaving one out changes its residual by 1/(1 - h), h the diagonal of the hat matrix.
     """
-    root = np.sqrt(weight)
-    centre = np.average(y, weights=weight)
-    u, s, vt = np.linalg.svd(root[:, None] * terms, full_matrices=False)
-    projected = u.T @ (root * (y - centre))
-    best, best_error = np.zeros(terms.shape[1]), np.inf
+    root = np.sqrt(weight)[:, None]
+    centre = np.average(y, axis=0, weights=weight)
+    wanted = root * (y - centre)
+    u, s, vt = np.linalg.svd(root * terms, full_matrices=False)
+    projected = u.T @ wanted
+    best, least = np.zeros((terms.shape[1], y.shape[1])), np.full(y.shape[1], np.inf)
     for ridge in RIDGES:
-        shrink = s**2 / (s**2 + ridge)
-        residual = root * (y - centre) - u @ (shrink * projected)
+        shrink = (s**2 / (s**2 + ridge))[:, None]
         leverage = np.minimum((u**2) @ shrink, 1 - 1e-6)
-        error = float(np.sqrt(np.sum((residual / (1 - leverage)) ** 2) / weight.sum()))
-        if error < best_error:
-            best_error, best = error, vt.T @ (shrink / s * projected)
-    best = best.copy()
+        residual = (wanted - u @ (shrink * projected)) / (1 - leverage)
+        error = np.sqrt((residual**2).sum(axis=0) / weight.sum())
+        better = error < least
+        least[better] = error[better]
+        best[:, better] = (vt.T @ (shrink / s[:, None] * projected))[:, better]
     best[0] += centre
-    return best, best_error
+    return best, least

@@ -1,0 +1,171 @@
+"""The study of the source's unknowns: its parts against closed forms, its whole on a toy that stands for the engine."""
+
+import math
+
+import numpy as np
+import pytest
+
+from plategait import InputError, published
+from plategait.study import search, source
+from plategait.study.aims import AT_REFERENCE, KIND, OF_CURVE, PEAKS, residuals
+from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, printed_values
+from plategait.study.inference import forward, step_with
+from plategait.study.surrogate import learn
+from plategait.study.unknowns import LAWS, NAMES, UNKNOWNS, Choice, choice_at, deviations_of, parameters
+
+CURVES = published.curves()
+PUBLISHED = np.array([[c.f0_hz, c.b_over_f0, PEAKS[c.angle_deg, c.omega_pi]] for c in CURVES])
+
+
+def test_a_choice_and_its_deviations_are_each_other_s_inverse():
+    z = np.random.default_rng(0).uniform(0, 2, len(UNKNOWNS))
+    np.testing.assert_allclose(deviations_of(choice_at(z)), z, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(deviations_of(Choice({})), 0, atol=1e-15)
+
+
+def test_the_prior_s_quantiles_are_those_of_a_normal_or_of_its_upper_half():
+    shares = np.array([0.1587, 0.5, 0.8413])
+    two_sided, one_sided = (next(u for u in UNKNOWNS if u.one_sided is side) for side in (False, True))
+    np.testing.assert_allclose(two_sided.quantile(shares), [-1, 0, 1], atol=1e-3)
+    np.testing.assert_allclose(one_sided.quantile(np.array([0.0, 0.6827])), [0, 1], atol=1e-3)
+
+
+def test_as_printed_sets_what_is_printed():
+    printed = printed_values()
+    settled = parameters(Choice({}), printed, published.NOMINAL_NATURAL_FREQUENCY)
+    assert {name: settled[name] for name in printed} == printed
+    assert settled["sheet.torsion_stiffness"] == settled["motion.height"] == 0
+    stiffer = parameters(Choice({"k_c exponent": 1.0}), printed, 2 * published.NOMINAL_NATURAL_FREQUENCY)
+    assert stiffer["sheet.axial_stiffness"] == 2 * printed["sheet.axial_stiffness"]
+    assert stiffer["sheet.bending_stiffness"] == 4 * printed["sheet.bending_stiffness"]
+
+
+def test_a_quadratic_is_learnt_to_the_last_digit():
+    rng = np.random.default_rng(1)
+    x = rng.normal(size=(60, 3))
+    y = 1 + x @ [1, -2, 0.5] + 3 * x[:, 0] * x[:, 1] - x[:, 2] ** 2
+    surrogate = learn(x, y[:, None])
+    new = rng.normal(size=(5, 3))
+    wanted = 1 + new @ [1, -2, 0.5] + 3 * new[:, 0] * new[:, 1] - new[:, 2] ** 2
+    # The smallest penalty, 0.01 beside 60 evaluations, shrinks coefficients by that over their number.
+    np.testing.assert_allclose(surrogate(new)[:, 0], wanted, atol=5e-3)
+    assert surrogate.error[0] < 5e-3
+
+
+def test_the_error_is_that_of_evaluations_that_were_left_out():
+    rng = np.random.default_rng(2)
+    x = rng.normal(size=(40, 2))
+    y = x[:, 0] + rng.normal(0, 0.3, 40)
+    error = learn(x, y[:, None]).error[0]
+    left_out = [learn(np.delete(x, i, 0), np.delete(y, i)[:, None])(x[i : i + 1])[0, 0] - y[i] for i in range(40)]
+    # The penalty is chosen anew each time, and the mean that is taken off first: a few percent.
+    assert error == pytest.approx(float(np.sqrt(np.mean(np.square(left_out)))), rel=0.1)
+
+
+def test_what_few_evaluations_have_is_not_learnt():
+    x = np.random.default_rng(3).normal(size=(20, 2))
+    y = np.where(np.arange(20) < 5, 1.0, math.nan)
+    assert learn(x, y[:, None]).error[0] == math.inf
+
+
+def test_the_published_fits_meet_their_own_aims():
+    aims = residuals(PUBLISHED[None], np.array([350.0]))
+    assert aims.values.shape == (1, len(KIND))
+    assert np.abs(aims.values[0, OF_CURVE]).max() < 1e-9
+    # The regressions were printed to a few digits.
+    for kind in ("R² of ω_n", "R² of α", "line", "12 Hz"):
+        assert np.abs(aims.values[0, kind == KIND]).max() < 0.2, kind
+    assert AT_REFERENCE.sum() == 2 * sum(c.alpha_deg == published.REFERENCE_ALPHA for c in CURVES)
+
+
+def test_a_curve_without_a_fit_counts_and_spoils_no_other():
+    fits = PUBLISHED.copy()
+    fits[3] = math.nan
+    aims = residuals(fits[None], np.array([math.nan]))
+    assert np.isfinite(aims.values).all()
+    assert (np.abs(aims.values[0, [3, len(CURVES) + 3]]) == 3).all()
+    assert np.abs(np.delete(aims.values[0, OF_CURVE], [3, len(CURVES) + 3])).max() < 1e-9
+
+
+# A toy in place of the engine: every f0 goes with k_t/k_b, every width with c_b, and the truth is a known choice
+
+TRUTH = {"k_t/k_b": 0.3, "c_b factor": 4.0}
+
+
+def toy(choices, folder, name, **options) -> Evaluation:
+    fits = np.empty((len(choices), len(FITS_FROM), len(CURVES), 3))
+    for i, choice in enumerate(choices):
+        torsion = (choice["k_t/k_b"] - TRUTH["k_t/k_b"]) / 3
+        damping = 0.2 * math.log(choice["c_b factor"] / TRUTH["c_b factor"])
+        fits[i] = PUBLISHED * np.exp([torsion, damping, 0.0])
+        fits[i] *= 1 + 0.1 * (choice.law == LAWS[1])
+    return Evaluation(tuple(choices), fits, np.full(len(choices), 350.0))
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(search, "evaluate", toy)
+        patch.setattr(search, "STEPS", 100)
+        patch.setattr(search, "BURNT", 50)
+        return search.search(tmp_path_factory.mktemp("toy"), 0, first=128, rounds=(16,))
+
+
+def test_the_search_finds_the_departures_that_the_toy_was_made_with(found):
+    steps = forward(found, LAWS[0], most=3)
+    chosen = min(steps, key=lambda step: step.criterion)
+    assert set(chosen.free) == set(TRUTH)
+    for name, value in TRUTH.items():
+        # The prior draws a little towards what is printed.
+        assert chosen.choice[name] == pytest.approx(value, rel=0.15)
+    assert chosen.misfit < 0.1 * steps[0].misfit
+    assert step_with(found, chosen.free, LAWS[1]).misfit > chosen.misfit
+
+
+def test_the_posterior_tells_what_the_toy_leaves_open(found, monkeypatch):
+    monkeypatch.setattr(search, "STEPS", 150)
+    monkeypatch.setattr(search, "BURNT", 75)
+    samples, _ = search.posterior(found, LAWS[0], seed=1)
+    sd = dict(zip(NAMES, samples.std(axis=0), strict=True))
+    assert sd["k_t/k_b"] < 0.2 < 0.6 < sd["ramp"]
+    assert (samples[:, [u.one_sided for u in UNKNOWNS]] >= 0).all()
+    again, _ = search.posterior(found, LAWS[0], seed=1)
+    np.testing.assert_array_equal(samples, again)
+
+
+def test_the_whole_study_says_what_holds_out_of_sample(tmp_path, monkeypatch):
+    for module in (search, source):
+        monkeypatch.setattr(module, "evaluate", toy)
+    monkeypatch.setattr(search, "STEPS", 60)
+    monkeypatch.setattr(search, "BURNT", 30)
+    study = source.study_source(tmp_path, seeds=2, first=112, rounds=())
+    assert set(study.chosen.free) == set(TRUTH)
+    assert len(study.by_seed) == 2
+    for each in study.out_of_sample:
+        assert each.median_f0 < 0.015
+        assert each.missing == 0
+    printed, chosen = (next(t for t in study.told if t.name == name) for name in ("as printed", "found on all curves"))
+    assert chosen.loss[0] < 0.1 * printed.loss[0]
+    assert study.summary()["unknowns"]["k_t/k_b"]["determined"]
+    assert not study.summary()["unknowns"]["ramp"]["determined"]
+
+
+def test_numbers_out_of_range_are_refused(tmp_path):
+    with pytest.raises(InputError, match="seeds"):
+        source.study_source(tmp_path, seeds=0)
+    with pytest.raises(InputError, match="evaluations"):
+        source.study_source(tmp_path, first=10)
+
+
+def test_today_s_preset_is_what_the_thesis_runs(tmp_path):
+    """The same curves by another way, a campaign's: 44 fits, from 736 runs (some 5 s)."""
+    from plategait.thesis.cases import Case
+    from plategait.thesis.runs import run_cases, value_of
+
+    made = evaluate([source.todays_preset()], tmp_path, "today")
+    some = [i for i, c in enumerate(CURVES) if c.omega_pi == 10.0 and c.alpha_deg == published.REFERENCE_ALPHA]
+    results = run_cases([Case(CURVES[i].angle_deg, 10.0, CURVES[i].alpha_deg) for i in some], repeats=1, seed=0)
+    for i in some:
+        fit = results[Case(CURVES[i].angle_deg, 10.0, CURVES[i].alpha_deg)].fit
+        # Round-off in k_b; the thesis's curves at 3 deg end 0.5 Hz earlier.
+        assert made.fits[0, 0, i, 0] == pytest.approx(value_of(fit, "f0_hz"), rel=0.01)
