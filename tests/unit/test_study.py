@@ -9,7 +9,7 @@ from plategait import InputError, published
 from plategait.study import search, source
 from plategait.study.aims import AT_REFERENCE, KIND, OF_CURVE, PEAKS, residuals
 from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, printed_values
-from plategait.study.inference import forward, step_with
+from plategait.study.inference import backward, step_with
 from plategait.study.surrogate import learn
 from plategait.study.unknowns import LAWS, NAMES, UNKNOWNS, Choice, choice_at, deviations_of, parameters
 
@@ -106,13 +106,12 @@ def toy(choices, folder, name, **options) -> Evaluation:
 def found(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(search, "evaluate", toy)
-        patch.setattr(search, "STEPS", 100)
-        patch.setattr(search, "BURNT", 50)
-        return search.search(tmp_path_factory.mktemp("toy"), 0, first=128, rounds=(16,))
+        return search.search(tmp_path_factory.mktemp("toy"), 0, first=96, generations=6)
 
 
 def test_the_search_finds_the_departures_that_the_toy_was_made_with(found):
-    steps = forward(found, LAWS[0], most=3)
+    steps = backward(found, LAWS[0])
+    assert [len(step.free) for step in steps] == list(range(len(NAMES) + 1))
     chosen = min(steps, key=lambda step: step.criterion)
     assert set(chosen.free) == set(TRUTH)
     for name, value in TRUTH.items():
@@ -138,7 +137,7 @@ def test_the_whole_study_says_what_holds_out_of_sample(tmp_path, monkeypatch):
         monkeypatch.setattr(module, "evaluate", toy)
     monkeypatch.setattr(search, "STEPS", 60)
     monkeypatch.setattr(search, "BURNT", 30)
-    study = source.study_source(tmp_path, seeds=2, first=112, rounds=())
+    study = source.study_source(tmp_path, seeds=2, first=64, generations=4)
     assert set(study.chosen.free) == set(TRUTH)
     assert len(study.by_seed) == 2
     for each in study.out_of_sample:
@@ -148,6 +147,14 @@ def test_the_whole_study_says_what_holds_out_of_sample(tmp_path, monkeypatch):
     assert chosen.loss[0] < 0.1 * printed.loss[0]
     assert study.summary()["unknowns"]["k_t/k_b"]["determined"]
     assert not study.summary()["unknowns"]["ramp"]["determined"]
+
+
+def test_the_strategy_goes_down_and_the_same_way_again(found, tmp_path, monkeypatch):
+    loss = search.losses(found.evaluation)
+    assert loss[96:].min() < 0.2 * loss[:96].min()
+    monkeypatch.setattr(search, "evaluate", toy)
+    again = search.search(tmp_path, 0, first=96, generations=2).evaluation.choices
+    assert again == found.evaluation.choices[: len(again)]
 
 
 def test_numbers_out_of_range_are_refused(tmp_path):

@@ -27,9 +27,10 @@ def _studies() -> None:
 def source(
     out: Annotated[Path, typer.Option("--out", help="Folder for stores, figures and source.json.")] = Path("source"),
     seeds: Annotated[int, typer.Option("--seeds", help="Independent searches.", min=1)] = 3,
-    evaluations: Annotated[
-        int, typer.Option("--evaluations", help="Of each search over the priors; two thirds as many follow.", min=32)
-    ] = 96,
+    evaluations: Annotated[int, typer.Option("--evaluations", help="Of each search over the priors.", min=32)] = 96,
+    generations: Annotated[
+        int, typer.Option("--generations", help="Of 16 evaluations each, from the best of them.", min=0)
+    ] = 12,
     dask: Annotated[str | None, typer.Option("--dask", help="Run on the Dask cluster at this address.")] = None,
     as_json: options.Json = False,
 ) -> None:
@@ -41,10 +42,9 @@ def source(
     from plategait.study import figures
     from plategait.study.source import study_source
 
-    third = max(evaluations // 3, 8)
     with report.progress_bar("searching") as progress:
         found = study_source(
-            out / "stores", seeds=seeds, first=evaluations, rounds=(third, third), dask=dask, progress=progress
+            out / "stores", seeds=seeds, first=evaluations, generations=generations, dask=dask, progress=progress
         )
     for name in ("departures", "unknowns", "curves", "trades"):
         save(getattr(figures, f"draw_{name}")(found), out / f"{name}.png")

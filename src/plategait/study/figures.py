@@ -8,9 +8,8 @@ from matplotlib.figure import Figure
 from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, label_axes, new_figure
 from plategait.study.aims import PUBLISHED_F0, PUBLISHED_RATIO
 from plategait.study.source import QUANTILES, SourceStudy
-from plategait.study.unknowns import LAWS, NAMES
+from plategait.study.unknowns import NAMES
 
-_COLOURS = dict(zip(LAWS, (BLUE, ORANGE), strict=True))
 _TOLD = {"as printed": (GREY, "x"), "today's preset": (ORANGE, "s"), "found on all curves": (GREEN, "o")}
 
 
@@ -18,17 +17,12 @@ def draw_departures(study: SourceStudy) -> Figure:
     """What each departure buys, and what the number of them costs."""
     figure = new_figure(6.4, 4.2)
     axes = figure.add_subplot()
-    for law, steps in study.steps.items():
-        count = range(len(steps))
-        axes.plot(
-            count, [s.misfit for s in steps], "o--", color=_COLOURS[law], mfc="white", ms=5, label=f"{law}: misfit"
-        )
-        axes.plot(count, [s.criterion for s in steps], "o-", color=_COLOURS[law], ms=5, label=f"{law}: and k ln n")
-    steps = study.steps[study.chosen.law]
-    for number, step in enumerate(steps[1:], start=1):
-        axes.annotate(
-            step.free[-1], (number, step.misfit), (0, -12), textcoords="offset points", ha="center", fontsize=7
-        )
+    count = range(len(study.steps))
+    axes.plot(count, [s.misfit for s in study.steps], "o--", color=BLUE, mfc="white", ms=5, label="misfit")
+    axes.plot(count, [s.criterion for s in study.steps], "o-", color=BLUE, ms=5, label="misfit and k ln n")
+    for number, (less, more) in enumerate(zip(study.steps, study.steps[1:], strict=False), start=1):
+        (name,) = set(more.free) - set(less.free)
+        axes.annotate(name, (number, more.criterion), (0, 8), textcoords="offset points", rotation=60, fontsize=7)
     axes.plot(len(study.chosen.free), study.chosen.criterion, "*", color="black", ms=13, label="chosen")
     label_axes(axes, "departures from what is printed", "sum of squared deviations")
     axes.set_ylim(bottom=0)

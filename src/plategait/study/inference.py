@@ -11,7 +11,7 @@ import numpy as np
 from plategait.arrays import Array, Flags
 from plategait.study.aims import AT_REFERENCE, KIND, OF_CURVE, PUBLISHED_F0, PUBLISHED_RATIO, REFERENCE
 from plategait.study.search import Learnt, best
-from plategait.study.unknowns import NAMES, UNKNOWNS, Choice, choice_at
+from plategait.study.unknowns import NAMES, Choice, choice_at
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,14 +51,14 @@ def step_with(found: Learnt, free: Sequence[str], law: str, used: Flags | None =
     return Step(tuple(free), law, z, misfit, misfit + len(free) * math.log(n))
 
 
-def forward(found: Learnt, law: str, most: int = 8) -> list[Step]:
-    """Departures in the order in which each lowers the misfit most, from none on."""
-    steps = [step_with(found, (), law)]
-    while len(steps) <= min(most, len(UNKNOWNS)):
+def backward(found: Learnt, law: str) -> list[Step]:
+    """Departures one by one, the most useful last to go: from none to all."""
+    steps = [step_with(found, NAMES, law)]
+    while steps[-1].free:
         free = steps[-1].free
-        tried = [step_with(found, (*free, name), law) for name in NAMES if name not in free]
-        steps.append(min(tried, key=lambda step: step.criterion))
-    return steps
+        tried = [step_with(found, tuple(name for name in free if name != left), law) for left in free]
+        steps.append(min(tried, key=lambda step: step.misfit))
+    return steps[::-1]
 
 
 @dataclass(frozen=True)

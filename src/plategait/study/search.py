@@ -1,7 +1,7 @@
-"""The joint search: evaluations spread over the priors, then where the published numbers draw them, and a posterior.
+"""The joint search: choices spread over the priors, then an evolution strategy from the best, and what they teach.
 
-A surrogate of every fit, learnt from the evaluations, is what is searched, so that holding curves out and weighing
-subsets of departures cost no further simulation.
+A surrogate of every fit is learnt from all evaluations, so that a posterior, holding curves out and weighing subsets of
+departures cost no further simulation.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from scipy.optimize import least_squares
 from scipy.stats import qmc
 
 from plategait.arrays import Array, Flags
+from plategait.errors import InputError
 from plategait.study.aims import KIND, residuals
 from plategait.study.evaluation import FITS_FROM, OUTPUTS, Evaluation, evaluate, joined
 from plategait.study.surrogate import Surrogate, learn
@@ -25,6 +26,10 @@ from plategait.study.unknowns import LAWS, UNKNOWNS, Choice, choice_at, deviatio
 FARTHEST = 2.5
 """Deviations of the priors beyond which nothing is tried."""
 WALKERS, STEPS, BURNT = 64, 1500, 500
+POPULATION, STEP = 16, 0.5
+"""Of a generation, and how far the first goes from the best choice, in deviations of the priors."""
+FLAT = 40.0
+"""Loss above the least that halves how much an evaluation counts twice over."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,7 +136,7 @@ def posterior(
         return value
 
     rng = np.random.default_rng(seed)
-    start = np.abs(rng.normal(0, 0.3, (WALKERS, int(free.sum()))))
+    start = np.minimum(np.abs(rng.normal(0, 1, (WALKERS, int(free.sum())))), FARTHEST)
     sampler = emcee.EnsembleSampler(WALKERS, int(free.sum()), log_probability, vectorize=True)
     sampler.random_state = np.random.RandomState(seed).get_state()
     sampler.run_mcmc(start, STEPS)
@@ -176,16 +181,34 @@ def best(
     return whole(z), float(found.misfit(np.append(whole(z), sign)[None], used)[0])
 
 
+def losses(evaluation: Evaluation) -> Array:
+    """(choices,) misfit of evaluations themselves, and squared deviations of the prior."""
+    z = np.stack([deviations_of(choice) for choice in evaluation.choices])
+    return misfits(evaluation) + (z**2).sum(axis=1)
+
+
+def misfits(evaluation: Evaluation) -> Array:
+    """(choices,) sums of squares over all aims, over all places where a fit may begin in the mean."""
+    places = [residuals(evaluation.fits[:, k], evaluation.at_12).loss() for k in range(len(FITS_FROM))]
+    return np.mean(places, axis=0)
+
+
+def near_best(evaluation: Evaluation) -> Array:
+    """(choices,) weights with which a surrogate learns: it is to be right where the loss is low."""
+    loss = losses(evaluation)
+    return 1 / (1 + (loss - loss.min()) / FLAT) ** 2
+
+
 def search(
     folder: Path,
     seed: int,
     *,
     first: int = 96,
-    rounds: Sequence[int] = (48, 48),
+    generations: int = 12,
     dask: object = None,
     progress: Callable[[float], object] | None = None,
 ) -> Learnt:
-    """Evaluate choices over the priors, then where the posterior is, and learn from all of them.
+    """Evaluate choices over the priors, go down from the best by CMA-ES, and learn from all of them.
 
     Parameters
     ----------
@@ -193,28 +216,53 @@ def search(
         Of the stores, in which an interrupted search goes on.
     seed : int
         Of what is tried.
-    first, rounds : int
-        Evaluations over the priors, and in each round after that.
+    first, generations : int
+        Evaluations over the priors, and generations of `POPULATION` from the best of them.
     dask, progress
         See `plategait.campaign.run.sweep`.
+
+    Raises
+    ------
+    InputError
+        When the package `cma` is not installed.
     """
-    total = first + sum(rounds)
+    total = first + generations * POPULATION
     report = None if progress is None else (lambda x: progress(x * first / total))
     start = [Choice({}, law) for law in LAWS] + spread(first - len(LAWS), seed)
     evaluation = evaluate(start, folder, f"seed{seed}-0", dask=dask, progress=report)
-    done = first
-    for number, count in enumerate(rounds, start=1):
-        found = learnt(evaluation)
-        choices: list[Choice] = []
-        rng = np.random.default_rng([seed, number])
-        for law in LAWS:
-            samples, _ = posterior(found, law, seed)
-            chosen = samples[rng.choice(len(samples), count // 2, replace=False)]
-            # A little wider than the posterior, so that the surrogate learns its rim.
-            one_sided = np.array([u.one_sided for u in UNKNOWNS])
-            wider = np.clip(chosen + rng.normal(0, 0.3, chosen.shape), -FARTHEST, FARTHEST)
-            choices += [choice_at(np.where(one_sided, np.abs(z), z), law) for z in wider]
-        report = None if progress is None else (lambda x, d=done, c=count, p=progress: p((d + c * x) / total))
-        evaluation = joined(evaluation, evaluate(choices, folder, f"seed{seed}-{number}", dask=dask, progress=report))
-        done += count
-    return learnt(evaluation)
+    best_so_far = evaluation.choices[int(losses(evaluation).argmin())]
+    strategy = _strategy(deviations_of(best_so_far), seed)
+    for number in range(1, generations + 1):
+        if number > 1:
+            # What the surrogate takes for the best so far: right more often than chance, and free.
+            expected, _ = best(learnt(evaluation, near_best(evaluation)), best_so_far.law, np.ones(len(UNKNOWNS), bool))
+            strategy.inject([expected], force=True)
+        asked = strategy.ask()
+        done = (first + (number - 1) * POPULATION) / total
+        report = None if progress is None else (lambda x, d=done, p=progress: p(d + x * POPULATION / total))
+        choices = [choice_at(np.asarray(z), best_so_far.law) for z in asked]
+        made = evaluate(choices, folder, f"seed{seed}-{number}", dask=dask, progress=report)
+        strategy.tell(asked, losses(made).tolist())
+        evaluation = joined(evaluation, made)
+    return learnt(evaluation, near_best(evaluation))
+
+
+def _strategy(z: Array, seed: int) -> Any:
+    """The evolution strategy, from deviations `z` of the priors, with random numbers of its own."""
+    try:
+        import cma
+    except ImportError:
+        raise InputError(
+            "study", "no package cma", "an installation with it", 'pip install "plategait[optimize]"'
+        ) from None
+    rng = np.random.default_rng(seed)
+    low = [0.0 if unknown.one_sided else -FARTHEST for unknown in UNKNOWNS]
+    inside = np.clip(z, np.array(low) + 0.05, FARTHEST - 0.05)
+    options = {
+        "bounds": [low, [FARTHEST] * len(UNKNOWNS)],
+        "popsize": POPULATION,
+        "randn": lambda *shape: rng.standard_normal(shape),
+        "seed": np.nan,
+        "verbose": -9,
+    }
+    return cma.CMAEvolutionStrategy(inside, STEP, options)

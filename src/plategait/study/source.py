@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,13 +16,13 @@ from plategait.errors import InputError
 from plategait.model.presets import preset
 from plategait.study.aims import KIND, residuals
 from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, joined
-from plategait.study.inference import OutOfSample, Step, deviations_of_curves, forward, found_on, step_with
-from plategait.study.search import Learnt, learnt, posterior, search
-from plategait.study.unknowns import LAWS, NAMES, UNKNOWNS, Choice
+from plategait.study.inference import OutOfSample, Step, backward, deviations_of_curves, found_on, step_with
+from plategait.study.search import Learnt, learnt, losses, misfits, near_best, posterior, search
+from plategait.study.unknowns import NAMES, UNKNOWNS, Choice
 
 SEEDS = 3
-FIRST, ROUNDS = 96, (32, 32)
-"""Evaluations of each seed: over the priors, then in each round where the posterior is."""
+FIRST, GENERATIONS = 96, 12
+"""Evaluations of each seed over the priors, and generations of the evolution strategy from the best of them."""
 REPEATS = 4
 """Starts of each run with which choices are told at the end."""
 QUANTILES = (0.05, 0.5, 0.95)
@@ -62,8 +63,8 @@ class SourceStudy:
     ----------
     learnt : Learnt
         From the evaluations of all seeds.
-    steps : mapping of str to list of Step
-        Departures one by one, by law of friction.
+    steps : tuple of Step
+        Departures one by one under the law of the best choice, each set simulated.
     chosen : Step
         The set that pays for itself.
     by_seed : tuple of Step
@@ -76,7 +77,7 @@ class SourceStudy:
     """
 
     learnt: Learnt
-    steps: Mapping[str, list[Step]]
+    steps: tuple[Step, ...]
     chosen: Step
     by_seed: tuple[Step, ...]
     samples: Array
@@ -108,10 +109,7 @@ class SourceStudy:
                        "determined": self.narrowing(name) < DETERMINED}
                 for name in NAMES
             },
-            "steps": {
-                law: [{"free": list(s.free), "misfit": s.misfit, "criterion": s.criterion} for s in steps]
-                for law, steps in self.steps.items()
-            },
+            "steps": [{"free": list(s.free), "misfit": s.misfit, "criterion": s.criterion} for s in self.steps],
             "told": [
                 {"name": t.name, "loss": t.loss.tolist(), "rate_at_12_hz_deg_s": t.at_12, **_deviations(t)}
                 for t in self.told
@@ -148,7 +146,7 @@ def study_source(
     *,
     seeds: int = SEEDS,
     first: int = FIRST,
-    rounds: Sequence[int] = ROUNDS,
+    generations: int = GENERATIONS,
     dask: object = None,
     progress: Callable[[float], object] | None = None,
 ) -> SourceStudy:
@@ -160,8 +158,8 @@ def study_source(
         Where the stores of all evaluations lie; an interrupted study goes on in it.
     seeds : int
         Independent searches.
-    first, rounds : int
-        Evaluations of each over the priors, and in each round after that.
+    first, generations : int
+        Evaluations of each over the priors, and generations of the evolution strategy after that.
     dask, progress
         See `plategait.campaign.run.sweep`.
 
@@ -179,10 +177,12 @@ def study_source(
     searches: list[Learnt] = []
     for seed in range(seeds):
         report = None if progress is None else (lambda x, s=seed, p=progress: p(share * (s + x)))
-        searches.append(search(folder, seed, first=first, rounds=rounds, dask=dask, progress=report))
-    found = learnt(joined(*(each.evaluation for each in searches)))
-    steps = {law: forward(found, law) for law in LAWS}
-    chosen = min((step for of_law in steps.values() for step in of_law), key=lambda step: step.criterion)
+        searches.append(search(folder, seed, first=first, generations=generations, dask=dask, progress=report))
+    evaluation = joined(*(each.evaluation for each in searches))
+    found = learnt(evaluation, near_best(evaluation))
+    law = evaluation.choices[int(losses(evaluation).argmin())].law
+    steps = _simulated(backward(found, law), folder, dask)
+    chosen = min(steps, key=lambda step: step.criterion)
     halves = found_on(found, chosen.free, chosen.law)
     choices = {
         "as printed": Choice({}),
@@ -204,6 +204,16 @@ def study_source(
             OutOfSample(name, *deviations_of_curves(by_name[f"found on {name}"].fits[0], members))
             for name, (_, members) in halves.items()
         ),
+    )
+
+
+def _simulated(steps: Sequence[Step], folder: Path, dask: object) -> tuple[Step, ...]:
+    """Steps with the misfit of their choices simulated, in place of the surrogate's."""
+    made = evaluate([step.choice for step in steps], folder, "departures", repeats=REPEATS, dask=dask)
+    misfit = misfits(made)
+    return tuple(
+        replace(step, misfit=float(m), criterion=float(m) + len(step.free) * math.log(len(KIND)))
+        for step, m in zip(steps, misfit, strict=True)
     )
 
 
