@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from plategait import published
 from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.model.presets import preset
@@ -235,8 +234,3 @@ def _told(name: str, made: Evaluation, i: int) -> Told:
     squares = aims.values[0] ** 2
     by_kind = {str(kind): float(squares[kind == KIND].sum()) for kind in dict.fromkeys(KIND)}
     return Told(name, made.choices[i], made.fits[i], float(made.at_12[i]), aims.loss(), by_kind)
-
-
-def curves_of(angle_deg: int) -> list[int]:
-    """Indices of the published curves at one amplitude."""
-    return [i for i, curve in enumerate(published.curves()) if curve.angle_deg == angle_deg]
