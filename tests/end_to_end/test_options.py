@@ -36,7 +36,7 @@ class Mode:
 
     @property
     def words(self) -> Typed:
-        return self.typed[:2] if self.typed[0] == "identify" else self.typed[:1]
+        return self.typed[:2] if self.typed[0] in ("identify", "study") else self.typed[:1]
 
 
 def typed(**options: str) -> dict[str, Typed]:
@@ -117,6 +117,8 @@ MODES = [
     Mode(("thesis", "fig5.7"), typed(seed="4", repeats="2", out="report", json="")),
     Mode(("thesis", "fig5.7", "--repeats", "1"), JSON, ("--seed",)),
     Mode(("thesis", "fig2.6"), typed(out="report", json="")),
+    Mode(("study", "source"),
+         typed(out="other", seeds="2", evaluations="40", generations="3", dask="host:1", json="")),
     Mode(("track", "clip.mp4"), TRACK),
     Mode(("track", "clip.mp4", "--plate", "outline"), but(TRACK, "--fiducial", "--scale", "--plate")),
     Mode(("track", "clip.mp4", "--plate", "fiducials"), but(TRACK, "--scale", "--plate")),
@@ -230,6 +232,11 @@ def answers(files) -> dict[str, object]:
     from plategait.model.presets import preset
     from plategait.render.clip.clip import film, usual_camera
     from plategait.simulation.run import simulate
+    from plategait.study.evaluation import Evaluation
+    from plategait.study.inference import Step
+    from plategait.study.search import Learnt
+    from plategait.study.source import SourceStudy
+    from plategait.study.unknowns import UNKNOWNS, Choice
     from plategait.thesis.study import Study
     from plategait.vision.folder import Clip
     from plategait.vision.track import track
@@ -252,6 +259,16 @@ def answers(files) -> dict[str, object]:
         "plategait.campaign.figures.plot_campaign": Figure(),
         "plategait.campaign.run.sweep": open_sweep(files / "done.zarr"),
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
+        "plategait.study.source.study_source": SourceStudy(
+            learnt=Learnt(Evaluation((Choice({}),), np.empty(0), np.empty(0)), ()),
+            steps=(Step((), "thesis", np.zeros(len(UNKNOWNS)), 1.0, 1.0),),
+            chosen=Step((), "thesis", np.zeros(len(UNKNOWNS)), 1.0, 1.0),
+            by_seed=(),
+            samples=np.zeros((2, len(UNKNOWNS))),
+            told=(),
+            out_of_sample=(),
+        ),
+        "plategait.study.figures.draw_trades": Figure(),
         "plategait.vision.track.track": seen,
         "plategait.vision.folder.track_folder": [Clip(files / "clips" / "20Hz.mp4", 20.0, "told", seen)],
         "plategait.render.clip.clip.film": truth,

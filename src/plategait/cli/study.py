@@ -41,7 +41,9 @@ def source(
     from plategait.plots.style import save
     from plategait.study import figures
     from plategait.study.source import study_source
+    from plategait.thesis.report import prepare_folder
 
+    prepare_folder(out)
     with report.progress_bar("searching") as progress:
         found = study_source(
             out / "stores", seeds=seeds, first=evaluations, generations=generations, dask=dask, progress=progress
