@@ -27,10 +27,10 @@ def _studies() -> None:
 def source(
     out: Annotated[Path, typer.Option("--out", help="Folder for stores, figures and source.json.")] = Path("source"),
     seeds: Annotated[int, typer.Option("--seeds", help="Independent searches.", min=1)] = 3,
-    evaluations: Annotated[int, typer.Option("--evaluations", help="Of each search over the priors.", min=32)] = 96,
+    evaluations: Annotated[int, typer.Option("--evaluations", help="Of each search over the priors.", min=32)] = 48,
     generations: Annotated[
         int, typer.Option("--generations", help="Of 16 evaluations each, from the best of them.", min=0)
-    ] = 12,
+    ] = 5,
     dask: Annotated[str | None, typer.Option("--dask", help="Run on the Dask cluster at this address.")] = None,
     as_json: options.Json = False,
 ) -> None:

@@ -14,8 +14,8 @@ from plategait.study.evaluation import OUTPUTS, is_reference
 CURVES = published.curves()
 MAY_MISS = {"f0_hz": 0.03, "b_over_f0": 0.15, "peak": 0.10, "r2": 0.05, "line": 0.15}
 """Deviation that counts as one: relative, but for R²; of a line's height a share of what it spans."""
-# A curve without a fit counts as so many deviations.
 NO_FIT = 3.0
+"""Deviations that what cannot be measured counts as: f0 and b/f0 of a curve without a fit each, a peak, a rate."""
 RATE_AT_12 = 350.0
 """Spin rate at A_p = 12 deg and 12 Hz, deg/s, running (section 4.3)."""
 REFERENCE = np.array([is_reference(c) for c in CURVES])
@@ -41,7 +41,7 @@ class Residuals:
         return squares.sum(axis=1) if used is None else squares[:, used].sum(axis=1)
 
 
-def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None) -> Residuals:
+def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None, missing: Array | None = None) -> Residuals:
     """Residuals of choices.
 
     Parameters
@@ -52,12 +52,16 @@ def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None) -> Re
         Rate at A_p = 12 deg and 12 Hz, deg/s; NaN where it fails.
     uncertainty : (curves, outputs) array, optional
         Of the fits, relative, where they come from a surrogate: added in quadrature to what they may miss.
+    missing : (n, curves) array, optional
+        Chance that a curve has no fit, where a surrogate tells it; by default 1 where `fits` has none.
     """
     error = np.zeros((len(CURVES), len(OUTPUTS))) if uncertainty is None else uncertainty
     f0, ratio, peak = (fits[:, :, i] for i in range(len(OUTPUTS)))
+    missing = np.isnan(f0).astype(float) if missing is None else missing
     blocks = [
-        (f0 / PUBLISHED_F0 - 1) / np.hypot(MAY_MISS["f0_hz"], error[:, 0]),
-        (ratio / PUBLISHED_RATIO - 1) / np.hypot(MAY_MISS["b_over_f0"], error[:, 1]),
+        np.nan_to_num((f0 / PUBLISHED_F0 - 1) / np.hypot(MAY_MISS["f0_hz"], error[:, 0])),
+        np.nan_to_num((ratio / PUBLISHED_RATIO - 1) / np.hypot(MAY_MISS["b_over_f0"], error[:, 1])),
+        math.sqrt(2) * NO_FIT * missing,
     ]
     for (angle, omega), printed in PEAKS.items():
         of_object = np.where(np.isfinite(peak), peak, -math.inf)[:, (angle == _ANGLE) & (omega == _OMEGA)].max(axis=1)
@@ -81,12 +85,16 @@ def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None) -> Re
 
 N_CURVES = len(CURVES)
 _LINES = [kind for _ in published.AMPLITUDES for kind in ("R² of ω_n", "line", "line", "R² of α", "line", "line")]
-KIND = np.array(["f0"] * N_CURVES + ["b/f0"] * N_CURVES + ["peak"] * len(PEAKS) + _LINES + ["12 Hz"])
+KIND = np.array(
+    ["f0"] * N_CURVES + ["b/f0"] * N_CURVES + ["no fit"] * N_CURVES + ["peak"] * len(PEAKS) + _LINES + ["12 Hz"]
+)
 """What each aim is about."""
-OF_CURVE = np.arange(len(KIND)) < 2 * N_CURVES
-"""Aims of single curves."""
+OF_CURVE = (KIND == "f0") | (KIND == "b/f0")
+"""Aims of single curves: their numbers."""
+HAS_FIT = KIND == "no fit"
+"""Aims of single curves: that there is a fit at all."""
 AT_REFERENCE = np.append(np.tile(REFERENCE, 2), np.zeros(len(KIND) - 2 * N_CURVES, dtype=bool))
-"""Aims of single curves at the reference friction angle."""
+"""Those of `OF_CURVE` at the reference friction angle."""
 
 
 def _lines(x: Array, y: Array) -> Array:

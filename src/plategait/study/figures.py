@@ -10,7 +10,7 @@ from plategait.study.aims import PUBLISHED_F0, PUBLISHED_RATIO
 from plategait.study.source import QUANTILES, SourceStudy
 from plategait.study.unknowns import NAMES
 
-_TOLD = {"as printed": (GREY, "x"), "today's preset": (ORANGE, "s"), "found on all curves": (GREEN, "o")}
+_TOLD = {"as printed": (GREY, "x"), "one factor at a time": (ORANGE, "s"), "found on all curves": (GREEN, "o")}
 
 
 def draw_departures(study: SourceStudy) -> Figure:
@@ -21,8 +21,10 @@ def draw_departures(study: SourceStudy) -> Figure:
     axes.plot(count, [s.misfit for s in study.steps], "o--", color=BLUE, mfc="white", ms=5, label="misfit")
     axes.plot(count, [s.criterion for s in study.steps], "o-", color=BLUE, ms=5, label="misfit and k ln n")
     for number, (less, more) in enumerate(zip(study.steps, study.steps[1:], strict=False), start=1):
-        (name,) = set(more.free) - set(less.free)
-        axes.annotate(name, (number, more.criterion), (0, 8), textcoords="offset points", rotation=60, fontsize=7)
+        names = " ".join(
+            sorted(set(more.free) - set(less.free)) + [f"-{n}" for n in sorted(set(less.free) - set(more.free))]
+        )
+        axes.annotate(names, (number, more.criterion), (0, 8), textcoords="offset points", rotation=60, fontsize=7)
     axes.plot(len(study.chosen.free), study.chosen.criterion, "*", color="black", ms=13, label="chosen")
     label_axes(axes, "departures from what is printed", "sum of squared deviations")
     axes.set_ylim(bottom=0)

@@ -18,7 +18,7 @@ from scipy.stats import qmc
 
 from plategait.arrays import Array, Flags
 from plategait.errors import InputError
-from plategait.study.aims import KIND, residuals
+from plategait.study.aims import KIND, N_CURVES, residuals
 from plategait.study.evaluation import FITS_FROM, OUTPUTS, Evaluation, evaluate, joined
 from plategait.study.surrogate import Surrogate, learn
 from plategait.study.unknowns import LAWS, UNKNOWNS, Choice, choice_at, deviations_of
@@ -41,32 +41,35 @@ class Learnt:
     evaluation : Evaluation
         What it was learnt from.
     surrogates : tuple of Surrogate
-        By where the fit begins: of the logarithms of the fits, and of that of the rate at 12 Hz.
+        By where the fit begins: of the logarithms of the fits and of the rate at 12 Hz, and of whether each curve is
+        without a fit.
     """
 
     evaluation: Evaluation
     surrogates: tuple[Surrogate, ...]
 
-    def fits(self, x: Array, fit_from: int = 0) -> tuple[Array, Array]:
-        """Fits (n, curves, outputs) and rates at 12 Hz (n,) at standardised unknowns (n, d)."""
-        logs = self.surrogates[fit_from](x)
-        missing = ~np.isfinite(self.surrogates[fit_from].error)
-        logs[:, missing] = np.nan
-        return np.exp(logs[:, :-1]).reshape(len(x), -1, len(OUTPUTS)), np.exp(logs[:, -1])
-
-    def error(self, fit_from: int = 0) -> Array:
-        """(curves, outputs) relative errors."""
-        return self.surrogates[fit_from].error[:-1].reshape(-1, len(OUTPUTS))
-
     def residuals(self, x: Array, used: Flags | None = None) -> Array:
-        """(n, places × aims) residuals over all places where a fit may begin, weighed as one; of the aims `used`."""
+        """(n, places × aims) residuals at standardised unknowns (n, d) over all places where a fit may begin.
+
+        The places are weighed as one; `used` says which aims count.
+        """
         used = np.ones(len(KIND), dtype=bool) if used is None else used
-        places = [residuals(*self.fits(x, k), self.error(k)).values[:, used] for k in range(len(FITS_FROM))]
+        places = []
+        for surrogate in self.surrogates:
+            told = surrogate(x)
+            told[:, ~np.isfinite(surrogate.error)] = np.nan
+            fits = np.exp(told[:, :_FITS]).reshape(len(x), N_CURVES, len(OUTPUTS))
+            missing = np.clip(told[:, _FITS + 1 :], 0, 1)
+            error = surrogate.error[:_FITS].reshape(N_CURVES, len(OUTPUTS))
+            places.append(residuals(fits, np.exp(told[:, _FITS]), error, missing).values[:, used])
         return np.concatenate(places, axis=1) / np.sqrt(len(FITS_FROM))
 
     def misfit(self, x: Array, used: Flags | None = None) -> Array:
         """(n,) loss over all places where a fit may begin, in the mean; over the aims `used`."""
         return (self.residuals(x, used) ** 2).sum(axis=1)
+
+
+_FITS = N_CURVES * len(OUTPUTS)
 
 
 def standardised(choices: Sequence[Choice]) -> Array:
@@ -75,23 +78,29 @@ def standardised(choices: Sequence[Choice]) -> Array:
     return np.column_stack([np.stack([deviations_of(choice) for choice in choices]), law])
 
 
-def learnt(evaluation: Evaluation, weight: Array | None = None) -> Learnt:
-    """Learn every fit from evaluations."""
-    x, surrogates = standardised(evaluation.choices), []
+def learnt(evaluation: Evaluation, used: Flags | None = None) -> Learnt:
+    """Learn every fit from evaluations, to be right where the loss over the aims `used` is low."""
+    x, weight, surrogates = standardised(evaluation.choices), near_best(evaluation, used), []
     for k in range(len(FITS_FROM)):
+        fits = evaluation.fits[:, k]
         with np.errstate(invalid="ignore", divide="ignore"):
-            logs = np.log(np.column_stack([evaluation.fits[:, k].reshape(len(x), -1), evaluation.at_12]))
-        surrogates.append(learn(x, logs, weight))
+            logs = np.log(np.column_stack([fits.reshape(len(x), -1), evaluation.at_12]))
+        surrogates.append(learn(x, np.column_stack([logs, np.isnan(fits[:, :, 0])]), weight))
     return Learnt(evaluation, tuple(surrogates))
 
 
 def spread(count: int, seed: int) -> list[Choice]:
-    """Choices that fill the priors, both laws in turn."""
+    """Choices that fill the priors, both laws in turn; every second pair departs in a third of the unknowns only.
+
+    Few departures are what is asked for in the end, and most choices with all of them lie far from those.
+    """
     with warnings.catch_warnings():
         # Other counts than powers of two are only a little less even.
         warnings.simplefilter("ignore", UserWarning)
-        shares = qmc.Sobol(len(UNKNOWNS), seed=np.random.default_rng(seed)).random(count)  # pyright: ignore[reportCallIssue]
+        rng = np.random.default_rng(seed)
+        shares = qmc.Sobol(len(UNKNOWNS), seed=rng).random(count)  # pyright: ignore[reportCallIssue]
     z = np.stack([unknown.quantile(shares[:, i]) for i, unknown in enumerate(UNKNOWNS)], axis=1)
+    z[(rng.random(z.shape) > 1 / 3) & (np.arange(count) % 4 >= 2)[:, None]] = 0
     return [choice_at(row, LAWS[i % 2]) for i, row in enumerate(np.clip(z, -FARTHEST, FARTHEST))]
 
 
@@ -145,10 +154,18 @@ def posterior(
 
 
 def best(
-    found: Learnt, law: str, free: Flags, used: Flags | None = None, starts: int = 4, seed: int = 0
+    found: Learnt, law: str, free: Flags, used: Flags | None = None, guesses: Sequence[Array] = ()
 ) -> tuple[Array, float]:
-    """Deviations (d,) of least misfit and prior together, with some unknowns free, and that misfit."""
-    rng = np.random.default_rng(seed)
+    """Deviations (d,) of least misfit and prior together, with some unknowns free, and that misfit.
+
+    Parameters
+    ----------
+    free : (d,) bool array
+    used : (aims,) bool array, optional
+        Aims that count; all by default.
+    guesses : sequence of (d,) array
+        Deviations to go down from, beside those of the evaluation of least loss.
+    """
     sign = 1.0 if law == LAWS[1] else -1.0
     low = np.array([0.0 if unknown.one_sided else -FARTHEST for unknown in UNKNOWNS])[free]
 
@@ -173,29 +190,30 @@ def best(
 
     z = np.zeros(int(free.sum()))
     if len(z):
-        tries = [np.clip(z, low + 0.05, None), *rng.uniform(low / 2, FARTHEST / 2, (starts, len(z)))]
+        least = deviations_of(found.evaluation.choices[int(losses(found.evaluation, used).argmin())])
+        tries = [np.clip(guess[free], low + 0.02, FARTHEST - 0.02) for guess in (least, *guesses)]
         results = [
-            least_squares(at, start, jac=cast("Any", slopes), bounds=(low, FARTHEST), max_nfev=60) for start in tries
+            least_squares(at, start, jac=cast("Any", slopes), bounds=(low, FARTHEST), max_nfev=40) for start in tries
         ]
         z = min(results, key=lambda r: r.cost).x
     return whole(z), float(found.misfit(np.append(whole(z), sign)[None], used)[0])
 
 
-def losses(evaluation: Evaluation) -> Array:
-    """(choices,) misfit of evaluations themselves, and squared deviations of the prior."""
+def losses(evaluation: Evaluation, used: Flags | None = None) -> Array:
+    """(choices,) misfit of evaluations themselves and squared deviations of the prior, together."""
     z = np.stack([deviations_of(choice) for choice in evaluation.choices])
-    return misfits(evaluation) + (z**2).sum(axis=1)
+    return misfits(evaluation, used) + (z**2).sum(axis=1)
 
 
-def misfits(evaluation: Evaluation) -> Array:
-    """(choices,) sums of squares over all aims, over all places where a fit may begin in the mean."""
-    places = [residuals(evaluation.fits[:, k], evaluation.at_12).loss() for k in range(len(FITS_FROM))]
+def misfits(evaluation: Evaluation, used: Flags | None = None) -> Array:
+    """(choices,) sums of squares over the aims `used`, over all places where a fit may begin in the mean."""
+    places = [residuals(evaluation.fits[:, k], evaluation.at_12).loss(used) for k in range(len(FITS_FROM))]
     return np.mean(places, axis=0)
 
 
-def near_best(evaluation: Evaluation) -> Array:
+def near_best(evaluation: Evaluation, used: Flags | None = None) -> Array:
     """(choices,) weights with which a surrogate learns: it is to be right where the loss is low."""
-    loss = losses(evaluation)
+    loss = losses(evaluation, used)
     return 1 / (1 + (loss - loss.min()) / FLAT) ** 2
 
 
@@ -203,8 +221,8 @@ def search(
     folder: Path,
     seed: int,
     *,
-    first: int = 96,
-    generations: int = 12,
+    first: int = 48,
+    generations: int = 5,
     dask: object = None,
     progress: Callable[[float], object] | None = None,
 ) -> Learnt:
@@ -235,16 +253,17 @@ def search(
     for number in range(1, generations + 1):
         if number > 1:
             # What the surrogate takes for the best so far: right more often than chance, and free.
-            expected, _ = best(learnt(evaluation, near_best(evaluation)), best_so_far.law, np.ones(len(UNKNOWNS), bool))
+            expected, _ = best(learnt(evaluation), best_so_far.law, np.ones(len(UNKNOWNS), bool))
             strategy.inject([expected], force=True)
         asked = strategy.ask()
         done = (first + (number - 1) * POPULATION) / total
         report = None if progress is None else (lambda x, d=done, p=progress: p(d + x * POPULATION / total))
-        choices = [choice_at(np.asarray(z), best_so_far.law) for z in asked]
+        # Rounded, so that round-off of another processor is no other study.
+        choices = [choice_at(np.round(z, 3), best_so_far.law) for z in asked]
         made = evaluate(choices, folder, f"seed{seed}-{number}", dask=dask, progress=report)
         strategy.tell(asked, losses(made).tolist())
         evaluation = joined(evaluation, made)
-    return learnt(evaluation, near_best(evaluation))
+    return learnt(evaluation)
 
 
 def _strategy(z: Array, seed: int) -> Any:

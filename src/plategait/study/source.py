@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
+import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -12,17 +12,17 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.model.presets import preset
 from plategait.study.aims import KIND, residuals
 from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, joined
-from plategait.study.inference import OutOfSample, Step, backward, deviations_of_curves, found_on, step_with
-from plategait.study.search import Learnt, learnt, losses, misfits, near_best, posterior, search
+from plategait.study.inference import HALVES, OutOfSample, Step, deviations_of_curves, step_with
+from plategait.study.polish import ROUNDS, polish
+from plategait.study.search import POPULATION, Learnt, learnt, losses, posterior, search
 from plategait.study.unknowns import NAMES, UNKNOWNS, Choice
 
 SEEDS = 3
-FIRST, GENERATIONS = 96, 12
+FIRST, GENERATIONS = 48, 5
 """Evaluations of each seed over the priors, and generations of the evolution strategy from the best of them."""
-REPEATS = 4
+STARTS = 4
 """Starts of each run with which choices are told at the end."""
 QUANTILES = (0.05, 0.5, 0.95)
 DETERMINED = 0.5
@@ -31,17 +31,22 @@ DETERMINED = 0.5
 
 @dataclass(frozen=True, eq=False)
 class Told:
-    """A choice simulated with several starts.
+    """A choice simulated with several starts that the search has not seen.
 
     Attributes
     ----------
     name : str
     choice : Choice
     fits : (fits_from, curves, outputs) array
+        Medians over the starts.
+    without_fit : float
+        Curves without a fit where it begins first, mean of the starts.
     at_12 : float
         Rate at A_p = 12 deg and 12 Hz, deg/s.
     loss : (fits_from,) array
-        Of all aims, by where the fit begins.
+        Of all aims, by where the fit begins, mean of the starts.
+    noise : float
+        Standard deviation of the loss of one start, over the starts.
     by_kind : mapping of str to float
         Share of each kind of aim in the loss, where the fit begins first.
     """
@@ -49,8 +54,10 @@ class Told:
     name: str
     choice: Choice
     fits: Array
+    without_fit: float
     at_12: float
     loss: Array
+    noise: float
     by_kind: Mapping[str, float]
 
 
@@ -63,7 +70,7 @@ class SourceStudy:
     learnt : Learnt
         From the evaluations of all seeds.
     steps : tuple of Step
-        Departures one by one under the law of the best choice, each set simulated.
+        Departures one by one under the law of the best choice, each set polished by simulation.
     chosen : Step
         The set that pays for itself.
     by_seed : tuple of Step
@@ -110,7 +117,8 @@ class SourceStudy:
             },
             "steps": [{"free": list(s.free), "misfit": s.misfit, "criterion": s.criterion} for s in self.steps],
             "told": [
-                {"name": t.name, "loss": t.loss.tolist(), "rate_at_12_hz_deg_s": t.at_12, **_deviations(t)}
+                {"name": t.name, "values": dict(t.choice.values), "loss": t.loss.tolist(), "noise": t.noise,
+                 "by_kind": dict(t.by_kind), "rate_at_12_hz_deg_s": t.at_12, **_deviations(t)}
                 for t in self.told
             ],
             "out_of_sample": [vars(o) for o in self.out_of_sample],
@@ -118,26 +126,12 @@ class SourceStudy:
 
 
 def _deviations(told: Told) -> dict[str, float]:
-    f0, largest, ratio, missing = deviations_of_curves(told.fits[0])
-    return {"median_f0": f0, "largest_f0": largest, "median_b_over_f0": ratio, "without_fit": missing}
+    f0, largest, ratio, _ = deviations_of_curves(told.fits[0])
+    return {"median_f0": f0, "largest_f0": largest, "median_b_over_f0": ratio, "without_fit": told.without_fit}
 
 
-def todays_preset() -> Choice:
-    """What the preset `cheese` takes."""
-    scenario, printed = preset("cheese").scenario, preset("cheese-as-printed").scenario
-    sheet, plain = scenario.sheet, printed.sheet
-    return Choice(
-        {
-            "height": scenario.motion.height,
-            "c_b factor": sheet.bending_damping / plain.bending_damping,
-            "c_c factor": sheet.axial_damping / plain.axial_damping,
-            "k_c factor": sheet.axial_stiffness / plain.axial_stiffness,
-            "k_t/k_b": sheet.torsion_stiffness / sheet.bending_stiffness,
-            "c_t/c_b": sheet.torsion_damping / sheet.bending_damping,
-            "slip limit": 0.02,
-        },
-        scenario.friction.law,
-    )
+ONE_AT_A_TIME = Choice({"height": 7e-3, "c_b factor": 10.0, "slip limit": 0.02})
+"""What the presets took before: a plate height and a damping, each found by varying it alone."""
 
 
 def study_source(
@@ -172,48 +166,47 @@ def study_source(
             raise InputError(name, value, f"at least {least}", str(least))
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    share = 0.9 / seeds
+    within = _shares(progress, seeds * (first + generations * POPULATION), ROUNDS * POPULATION, 8 * STARTS)
     searches: list[Learnt] = []
     for seed in range(seeds):
-        report = None if progress is None else (lambda x, s=seed, p=progress: p(share * (s + x)))
+        report = None if within[0] is None else (lambda x, s=seed, p=within[0]: p((s + x) / seeds))
         searches.append(search(folder, seed, first=first, generations=generations, dask=dask, progress=report))
     evaluation = joined(*(each.evaluation for each in searches))
-    found = learnt(evaluation, near_best(evaluation))
     law = evaluation.choices[int(losses(evaluation).argmin())].law
-    steps = _simulated(backward(found, law), folder, dask)
-    chosen = min(steps, key=lambda step: step.criterion)
-    halves = found_on(found, chosen.free, chosen.law)
+    polished = polish(evaluation, law, folder, dask=dask, progress=within[1])
+    free = polished.chosen.free
+    by_seed = [step_with(each, free, law) for each in searches]
     choices = {
         "as printed": Choice({}),
-        "today's preset": todays_preset(),
-        "found on all curves": chosen.choice,
-        **{f"found on {name}": step.choice for name, (step, _) in halves.items()},
+        "one factor at a time": ONE_AT_A_TIME,
+        "found on all curves": polished.chosen.choice,
+        **{f"found on {name}": step.choice for name, step in polished.halves.items()},
+        **{f"found from seed {seed}": step.choice for seed, step in enumerate(by_seed)},
     }
-    report = None if progress is None else (lambda x: progress(0.9 + 0.1 * x))
-    told = tell(choices, folder, dask=dask, progress=report)
+    told = tell(choices, folder, dask=dask, progress=within[2])
     by_name = {each.name: each for each in told}
+    found = learnt(polished.evaluation)
     return SourceStudy(
         found,
-        steps,
-        chosen,
-        tuple(step_with(each, chosen.free, chosen.law) for each in searches),
-        posterior(found, chosen.law, seed=0)[0],
+        polished.steps,
+        polished.chosen,
+        tuple(by_seed),
+        posterior(found, law, seed=0)[0],
         told,
         tuple(
             OutOfSample(name, *deviations_of_curves(by_name[f"found on {name}"].fits[0], members))
-            for name, (_, members) in halves.items()
+            for name, (_, members) in HALVES.items()
         ),
     )
 
 
-def _simulated(steps: Sequence[Step], folder: Path, dask: object) -> tuple[Step, ...]:
-    """Steps with the misfit of their choices simulated, in place of the surrogate's."""
-    made = evaluate([step.choice for step in steps], folder, "departures", repeats=REPEATS, dask=dask)
-    misfit = misfits(made)
-    return tuple(
-        replace(step, misfit=float(m), criterion=float(m) + len(step.free) * math.log(len(KIND)))
-        for step, m in zip(steps, misfit, strict=True)
-    )
+def _shares(progress: Callable[[float], object] | None, *sizes: float) -> list[Callable[[float], object] | None]:
+    """Reports of parts of such sizes, each from 0 to 1, as one."""
+    if progress is None:
+        return [None] * len(sizes)
+    shares = np.array(sizes) / sum(sizes)
+    ends = np.cumsum(shares)
+    return [lambda x, e=end, s=share, p=progress: p(e - s * (1 - x)) for end, share in zip(ends, shares, strict=True)]
 
 
 def tell(
@@ -223,14 +216,24 @@ def tell(
     dask: object = None,
     progress: Callable[[float], object] | None = None,
 ) -> tuple[Told, ...]:
-    """Simulate choices with `REPEATS` starts each."""
-    made = evaluate(list(choices.values()), folder, "told", repeats=REPEATS, dask=dask, progress=progress)
+    """Simulate choices with `STARTS` starts other than those of the search."""
+    listed, made = list(choices.values()), []
+    for start, report in enumerate(_shares(progress, *[1.0] * STARTS), start=1):
+        made.append(evaluate(listed, folder, f"told-{start}", seed=start, dask=dask, progress=report))
     return tuple(_told(name, made, i) for i, name in enumerate(choices))
 
 
-def _told(name: str, made: Evaluation, i: int) -> Told:
-    at = np.full(len(FITS_FROM), made.at_12[i])
-    aims = residuals(made.fits[i], at)
-    squares = aims.values[0] ** 2
-    by_kind = {str(kind): float(squares[kind == KIND].sum()) for kind in dict.fromkeys(KIND)}
-    return Told(name, made.choices[i], made.fits[i], float(made.at_12[i]), aims.loss(), by_kind)
+def _told(name: str, made: Sequence[Evaluation], i: int) -> Told:
+    fits, at_12 = np.stack([m.fits[i] for m in made]), np.array([m.at_12[i] for m in made])
+    aims = [residuals(fits[:, k], at_12) for k in range(len(FITS_FROM))]
+    loss = np.array([a.loss() for a in aims])
+    squares = (aims[0].values ** 2).mean(axis=0)
+    with warnings.catch_warnings():
+        # A curve that no start has a fit of has no median either.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        middle = np.nanmedian(fits, axis=0)
+    return Told(
+        name, made[0].choices[i], middle, float(np.isnan(fits[:, 0, :, 0]).sum(axis=1).mean()), float(np.mean(at_12)),
+        loss.mean(axis=1), float(loss.mean(axis=0).std(ddof=1)),
+        {str(kind): float(squares[kind == KIND].sum()) for kind in dict.fromkeys(KIND)},
+    )  # fmt: skip

@@ -63,11 +63,14 @@ UNKNOWNS = (
     Unknown("k_c exponent", 0.0, 0.8, "linear",
             "section 4.4 changes the elasticity, which may be k_c with k_b: k_c as (ω_n/10π) to this power"),
     Unknown("c_b factor", 1.0, math.log(3), "log", "the source's implicit solver adds damping that it does not report"),
+    Unknown("c_b exponent", 0.0, 0.5, "linear", "damping may go with the elasticity too: c_b as (ω_n/10π) to this power"),
     Unknown("c_c factor", 1.0, math.log(2), "log", "the same, in compression"),
     Unknown("contact damping factor", 1.0, math.log(2), "log", "the same, in the contact"),
     Unknown("k_t/k_b", 0.0, 0.3, "linear", "the links' torsion is left out of section 3.2.2; a sheet has some",
             one_sided=True),
     Unknown("c_t/c_b", 0.0, 0.3, "linear", "the same, of damping", one_sided=True),
+    Unknown("shear ratio", 1.0, math.log(3), "log",
+            "the links' joints have no in-plane shear to yield in; a lattice's diagonals have", one_sided=True),
     Unknown("height", 0.0, 6e-3, "linear", "the plate's surface over the bar is not printed", "m", one_sided=True),
     Unknown("transition speed", 0.1, math.log(1.5), "log", "V of (3.2) may mean the solver's smooth law", "m/s"),
     Unknown("ramp", 0.1, math.log(2.5), "log", "how the motion starts is not printed", "s"),
@@ -122,13 +125,14 @@ def parameters(choice: Choice, printed: Mapping[str, float], omega: float) -> di
     """
     softer = omega / NOMINAL_NATURAL_FREQUENCY
     stiffness = printed["sheet.bending_stiffness"] * softer**2
-    c_b = choice["c_b factor"] * printed["sheet.bending_damping"]
+    c_b = choice["c_b factor"] * softer ** choice["c_b exponent"] * printed["sheet.bending_damping"]
     k_c = choice["k_c factor"] * softer ** choice["k_c exponent"] * printed["sheet.axial_stiffness"]
     return {
         "sheet.bending_stiffness": stiffness,
         "sheet.bending_damping": c_b,
         "sheet.axial_stiffness": k_c,
         "sheet.axial_damping": choice["c_c factor"] * printed["sheet.axial_damping"],
+        "sheet.shear_ratio": choice["shear ratio"],
         "sheet.torsion_stiffness": choice["k_t/k_b"] * stiffness,
         "sheet.torsion_damping": choice["c_t/c_b"] * c_b,
         "contact.damping": choice["contact damping factor"] * printed["contact.damping"],
