@@ -63,7 +63,7 @@ UNKNOWNS = (
     Unknown("k_c exponent", 0.0, 0.8, "linear",
             "section 4.4 changes the elasticity, which may be k_c with k_b: k_c as (ω_n/10π) to this power"),
     Unknown("c_b factor", 1.0, math.log(3), "log", "the source's implicit solver adds damping that it does not report"),
-    Unknown("c_b exponent", 0.0, 0.5, "linear", "damping may go with the elasticity too: c_b as (ω_n/10π) to this power"),
+    Unknown("c_b exponent", 0.0, 0.5, "linear", "damping may go with elasticity too: c_b as (ω_n/10π) to this power"),
     Unknown("c_c factor", 1.0, math.log(2), "log", "the same, in compression"),
     Unknown("contact damping factor", 1.0, math.log(2), "log", "the same, in the contact"),
     Unknown("k_t/k_b", 0.0, 0.3, "linear", "the links' torsion is left out of section 3.2.2; a sheet has some",
