@@ -98,6 +98,8 @@ def sheet_fields(draw: Draw) -> dict[str, Any]:
     if draw.chance(0.3):
         fields["torsion_stiffness"] = draw.number(draw.near(1.56e-4, 10))
         fields["torsion_damping"] = draw.number(draw.choice([0.0, 2.4e-7]))
+    if draw.chance(0.3):
+        fields["shear_ratio"] = draw.near(1.0, 10)
     for name in list(fields):
         if draw.chance(draw.wildness / 10):
             del fields[name]

@@ -9,6 +9,7 @@ enum Parameter : int {
   NODE_MASS,          // kg
   AXIAL_STIFFNESS,    // k_c, N/m
   AXIAL_DAMPING,      // c_c, N s/m
+  SHEAR_RATIO,        // stiffness of the diagonals over k_c
   BENDING_STIFFNESS,  // k_b, N m/rad
   BENDING_DAMPING,    // c_b, N m s/rad
   TORSION_STIFFNESS,  // k_t, N m/rad
@@ -33,8 +34,8 @@ enum Parameter : int {
 
 // clang-format off: the lists that follow are grouped by meaning.
 constexpr const char* parameter_names[N_PARAMETERS] = {
-    "pitch", "node_mass", "axial_stiffness", "axial_damping", "bending_stiffness", "bending_damping",
-    "torsion_stiffness", "torsion_damping", "contact_stiffness", "contact_damping", "contact_ramp",
+    "pitch", "node_mass", "axial_stiffness", "axial_damping", "shear_ratio", "bending_stiffness",
+    "bending_damping", "torsion_stiffness", "torsion_damping", "contact_stiffness", "contact_damping", "contact_ramp",
     "static_friction", "kinetic_friction", "static_speed", "kinetic_speed", "smooth_friction", "gravity",
     "plate_half_length", "plate_half_width", "plate_height", "ramp_duration", "table_step", "time_step"};
 

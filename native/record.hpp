@@ -8,19 +8,20 @@ namespace plategait {
 template <class R>
 PLATEGAIT_HD void record_joints(const State<R>& s, const Topology& topology, const R* parameter, R* channel) {
   const R zero = number<R>(0), half = number<R>(0.5);
-  const R pitch = parameter[PITCH], k_c = parameter[AXIAL_STIFFNESS], k_b = parameter[BENDING_STIFFNESS];
+  const R pitch = parameter[PITCH], k_b = parameter[BENDING_STIFFNESS];
+  const R k_c = parameter[AXIAL_STIFFNESS], k_diagonal = diagonal_stiffness(parameter);
   R axial = zero, bending = zero;
   int n_bends = 0;
   for (int i = 0; i < topology.n_lines; i++) {
     const bool bends = i < topology.n_axial_lines;
-    const R rest = bends ? pitch : number<R>(1.4142135623730951) * pitch;
+    const R rest = bends ? pitch : number<R>(1.4142135623730951) * pitch, stiffness = bends ? k_c : k_diagonal;
     Edge<R> before = {};
     for (int j = topology.line_start[i]; j + 1 < topology.line_start[i + 1]; j++) {
       const int a = topology.line_nodes[j], b = topology.line_nodes[j + 1];
       const Edge<R> edge = edge_between(s.x.get(a), s.v.get(a), s.x.get(b), s.v.get(b));
       const R stretch = dot(edge.along, edge.along) * edge.inverse_length - rest;
-      // The tension per unit of edge is k_c (1 − L0/L): k_c counts per metre of stretch.
-      axial += half * k_c * stretch * stretch;
+      // The tension per unit of edge is k (1 − L0/L): k counts per metre of stretch.
+      axial += half * stiffness * stretch * stretch;
       if (bends && j > topology.line_start[i]) {
         bending += bending_energy(before, edge, number<R>(1));
         n_bends++;

@@ -58,10 +58,11 @@ struct Tally {
   R centre_y;                                             // m, where the legs part: last step's mean, plate frame
 };
 
-/// Axial and bending joints of one straight line of nodes. Walks it once, carrying the edge behind.
+/// Axial joints of stiffness k_c, and bending ones, of one straight line of nodes. Walks it once, carrying the edge
+/// behind.
 template <bool Bends, class R>
-PLATEGAIT_HD void pull_line(const State<R>& s, const int* nodes, int n, const R* parameter, R rest_length, R& power) {
-  const R k_c = parameter[AXIAL_STIFFNESS];
+PLATEGAIT_HD void pull_line(const State<R>& s, const int* nodes, int n, const R* parameter, R k_c, R rest_length,
+                            R& power) {
   const R inverse_pitch = number<R>(1) / parameter[PITCH];
   const R c_c = implicit_damping(parameter[AXIAL_DAMPING], parameter[TIME_STEP] / parameter[NODE_MASS]);
   const R k_b = parameter[BENDING_STIFFNESS], c_b = parameter[BENDING_DAMPING];
@@ -101,6 +102,12 @@ PLATEGAIT_HD void pull_line(const State<R>& s, const int* nodes, int n, const R*
   s.f.add(nodes[n - 1], force_here);
 }
 
+/// Stiffness of the diagonals, N/m: they carry the in-plane shear.
+template <class R>
+PLATEGAIT_HD R diagonal_stiffness(const R* parameter) {
+  return parameter[SHEAR_RATIO] * parameter[AXIAL_STIFFNESS];
+}
+
 template <class R>
 PLATEGAIT_HD void twist_cells(const State<R>& s, const Topology& topology, const R* parameter, R& power) {
   const R inverse_pitch = number<R>(1) / parameter[PITCH];
@@ -123,12 +130,13 @@ PLATEGAIT_HD void pull_joints(const State<R>& s, const Topology& topology, const
   for (int k = 0; k < topology.n_nodes; k++) s.f.set(k, {zero, zero, zero});
   R power = zero;
   const R pitch = parameter[PITCH], diagonal = number<R>(1.4142135623730951) * pitch;
+  const R k_c = parameter[AXIAL_STIFFNESS], k_diagonal = diagonal_stiffness(parameter);
   for (int i = 0; i < topology.n_axial_lines; i++)
     pull_line<true>(s, topology.line_nodes + topology.line_start[i],
-                    topology.line_start[i + 1] - topology.line_start[i], parameter, pitch, power);
+                    topology.line_start[i + 1] - topology.line_start[i], parameter, k_c, pitch, power);
   for (int i = topology.n_axial_lines; i < topology.n_lines; i++)
     pull_line<false>(s, topology.line_nodes + topology.line_start[i],
-                     topology.line_start[i + 1] - topology.line_start[i], parameter, diagonal, power);
+                     topology.line_start[i + 1] - topology.line_start[i], parameter, k_diagonal, diagonal, power);
   if (topology.features.torsion) twist_cells(s, topology, parameter, power);
   tally.joint_loss += power * parameter[TIME_STEP];
 }

@@ -32,6 +32,7 @@ def mixed_runs() -> list[RunRequest]:
                 "motion.angle": 0.02 + 0.003 * i,
                 "friction.law": ("thesis", "adams")[i % 2],
                 "sheet.torsion_stiffness": 1e-5 * (i % 3),
+                "sheet.shear_ratio": (1.0, 0.5, 3.0)[i % 3],
                 "duration": 0.2 + 0.01 * (i % 7),
                 "time_step": 1e-4 / (1 + i % 2),
             }

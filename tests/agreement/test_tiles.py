@@ -114,6 +114,7 @@ def test_the_stable_step_is_the_longest_at_which_a_sheet_comes_to_rest(name):
         ({"plate": Plate()}, "plate"),
         ({"motion.waves": (Wave(axis="z", amplitude=1e-3),)}, "motion.waves"),
         ({"motion.samples": Samples(time=(0.0, 0.1), x=(0.0, 1e-3))}, "motion.samples"),
+        ({"sheet.shear_ratio": 4.0}, "sheet.shear_ratio"),
     ],
 )
 def test_what_tiles_cannot_do_is_refused(change, field):

@@ -68,10 +68,52 @@ def test_a_joint_holds_right_through_a_fold():
         )  # the arc-cosine's polynomial: 1.3e-8
 
 
+@pytest.mark.parametrize("ratio", [0.25, 1.0, 8.0])
+def test_a_sheared_patch_stores_and_resists_what_its_diagonals_do(ratio):
+    # x += γ y: edges along x keep their length l, those along y become l √(1 + γ²), diagonals l √(1 + (1 ± γ)²).
+    sheet, shear, dt = strip(5, 5, shear_ratio=ratio), 0.1, 1e-9
+    k, edge = sheet.axial_stiffness * sheet.pitch**2, math.hypot(1, shear)
+    diagonals = [(s, math.hypot(1, 1 + s * shear)) for s in (-1, 1)]
+    edges, cells = 5 * 4, 4 * 4
+    energy = (
+        edges * k * (edge - 1) ** 2 / 2 + cells * ratio * k * sum((d - math.sqrt(2)) ** 2 for _, d in diagonals) / 2
+    )
+    stretching = (edge - 1) * shear / edge
+    shearing = sum((d - math.sqrt(2)) * s * (1 + s * shear) / d for s, d in diagonals)
+    rest = flat(sheet, 1.0)
+    positions = rest + shear * np.outer(rest[:, 1], [1, 0, 0])
+    recording = run(sheet, duration=dt, dt=dt, gravity=0.0, positions=positions)
+    assert recording["axial_energy"][0] == pytest.approx(energy, rel=1e-9)
+    # What the forces do along the shear is the energy's slope: Σ F_x y = −dE/dγ. A step turns by ω dt = 1e-5 at most.
+    forces = recording.velocities * sheet.node_mass / dt
+    slope = edges * k * stretching + cells * ratio * k * shearing
+    assert forces[:, 0] @ rest[:, 1] == pytest.approx(-slope, rel=1e-7)
+
+
+@pytest.mark.parametrize("ratio", [0.25, 1.0, 8.0])
+def test_a_cell_rings_down_in_shear_by_its_diagonals(ratio):
+    # u = γ/2 (y, x) stretches the two diagonals of four nodes by ±γ l/√2 and no edge: γ'' = −2 (r k_c γ + c_c γ')/m.
+    sheet, start = strip(2, 2, shear_ratio=ratio, axial_damping=0.05), 1e-5
+    omega2 = 2 * ratio * sheet.axial_stiffness / sheet.node_mass
+    decay = sheet.axial_damping / sheet.node_mass
+    omega = math.sqrt(omega2 - decay**2)
+    rest = flat(sheet, 1.0)
+    shape = np.column_stack([rest[:, 1], rest[:, 0], np.zeros(4)]) / 2
+    for quarters in (3, 4):
+        duration = quarters * math.pi / 2 / omega
+        recording = run(sheet, duration=duration, dt=duration / 20_000, gravity=0.0, positions=rest + start * shape)
+        expected = math.exp(-decay * duration) * (
+            math.cos(omega * duration) + decay / omega * math.sin(omega * duration)
+        )
+        # First order in a step of ω dt = 3e-4, with the strain of 1e-5 itself.
+        left = (recording.positions - rest) * shape
+        assert left.sum() / (shape**2).sum() == pytest.approx(start * expected, abs=1e-3 * start)
+
+
 def test_joints_carry_no_net_force_or_moment():
     # Any motion whatever: momentum and angular momentum of a free sheet stay, to round-off.
     rng = np.random.default_rng(7)
-    sheet = strip(4, 3, bending_damping=2.4e-7, torsion_stiffness=1e-4, torsion_damping=1e-7)
+    sheet = strip(4, 3, bending_damping=2.4e-7, torsion_stiffness=1e-4, torsion_damping=1e-7, shear_ratio=4)
     positions = flat(sheet, 1.0) + rng.normal(0, 5e-4, (12, 3))
     velocities = rng.normal(0, 0.1, (12, 3))
     recording = run(sheet, duration=0.05, dt=5e-5, gravity=0.0, positions=positions, velocities=velocities)

@@ -110,6 +110,16 @@ def test_the_books_of_the_presets_balance_at_their_default_steps():
     assert worst < 0.7 * LEDGER_TOLERANCE
 
 
+@pytest.mark.parametrize("ratio", [8.0, 16.0])
+def test_a_sheet_stiff_in_shear_keeps_its_books_at_its_default_step(ratio):
+    changes = [{"motion.angle": math.radians(a), "motion.frequency": f} for a in (3, 12) for f in (12.0, 20.0)]
+    stiff = CHEESE.replace(duration=1.0, **{"sheet.shear_ratio": ratio})
+    assert stiff.dt < stiff.sheet.stable_time_step < CHEESE.sheet.stable_time_step
+    for simulation in simulate_all([stiff.replace(**change) for change in changes]):
+        assert not any(recording.diverged for recording in simulation.recordings)
+        assert all(observation.energy.closes for observation in simulation.observations)
+
+
 @pytest.mark.parametrize("degrees", [0.0, 1e-6, 1e-4, 1e-2])
 def test_round_off_on_a_plate_that_hardly_moves_opens_no_ledger(degrees):
     # In single precision, where all there is are the microjoules stored in the contact.

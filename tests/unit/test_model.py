@@ -134,16 +134,17 @@ def test_the_wrong_kind_is_refused_by_name(make, field):
     assert "a value of that kind" not in caught.value.hint, "a suggestion must be something to type"
 
 
-@pytest.mark.parametrize("name", ["mass", "pitch", "axial_stiffness"])
+@pytest.mark.parametrize("name", ["mass", "pitch", "axial_stiffness", "shear_ratio"])
 @pytest.mark.parametrize("bad", [-1, 0, "0 g", -0.0])
-def test_mass_pitch_and_axial_stiffness_are_positive(name, bad):
+def test_mass_pitch_and_in_plane_stiffness_are_positive(name, bad):
     with pytest.raises(InputError) as caught:
         Sheet(**{**MINIMAL, name: bad})
     assert caught.value.field == name
 
 
 @pytest.mark.parametrize("extreme", [{"pitch": 1e-320}, {"axial_stiffness": 1e308}, {"axial_damping": 1e200},
-                                     {"mass": 1e-320}, {"bending_stiffness": 1e300}])  # fmt: skip
+                                     {"mass": 1e-320}, {"bending_stiffness": 1e300},
+                                     {"shear_ratio": 1e300}, {"shear_ratio": 1e-320}])  # fmt: skip
 def test_numbers_beyond_floating_point_are_refused_too(extreme):
     with pytest.raises(InputError):
         Scenario(sheet=Sheet(**{**MINIMAL, **extreme}))
@@ -377,6 +378,8 @@ EDGES = {
     "cheese": {},
     "fine": {"pitch": 0.005},
     "stiff in torsion": {"torsion_stiffness": 1.56e-4, "torsion_damping": 2.4e-7},
+    "stiff in shear": {"shear_ratio": 16.0},
+    "loose in shear": {"shear_ratio": 0.1},
     "undamped": {"axial_damping": 0.0, "bending_damping": 0.0},
     "stiff": {"bending_stiffness": 0.02},
     "overdamped": {"axial_damping": 3.0, "bending_damping": 1e-5},

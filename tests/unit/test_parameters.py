@@ -152,3 +152,17 @@ def test_a_phase_is_swept(tmp_path):
     np.testing.assert_allclose(phases.values, np.radians([0, 90, 180, 270]), rtol=1e-15)
     assert phases.attrs["units"] == "rad"
     assert len(set(found.data["spin_rate"].values.ravel().tolist())) == 4
+
+
+def test_the_in_plane_shear_stiffness_is_swept(tmp_path):
+    """A plain number by its dotted name; each ratio is another sheet, and 1 is the sheet that does not name it."""
+    scenario: Scenario = CHEESE.replace(duration=0.4)
+    plan = {"scenario": scenario, "grid": {"sheet.shear_ratio": [1, 4, 8]}}
+    assert sweep(plan, tmp_path / "s.zarr").complete
+    found = open_sweep(tmp_path / "s.zarr")
+    assert found.data["sheet.shear_ratio"].values.tolist() == [1, 4, 8]
+    rates = found.data["spin_rate"].values.ravel().tolist()
+    assert len(set(rates)) == 3
+    unnamed = {**plan, "grid": {"motion.frequency": [scenario.motion.frequency]}}
+    assert sweep(unnamed, tmp_path / "u.zarr").complete
+    assert open_sweep(tmp_path / "u.zarr").data["spin_rate"].values.ravel().tolist() == rates[:1]

@@ -75,6 +75,7 @@ sheets = st.builds(
     Sheet, name=names, outline=outlines, mass=st.floats(1e-3, 0.1), pitch=st.just(0.005),
     thickness=st.floats(1e-4, 1e-2), bending_stiffness=st.floats(0, 1e-2), bending_damping=st.floats(0, 1e-6),
     axial_stiffness=st.floats(1, 1e5), axial_damping=st.floats(0, 1), torsion_stiffness=st.floats(0, 1e-2),
+    shear_ratio=st.floats(0.1, 100),
 )  # fmt: skip
 waves = st.builds(
     Wave, axis=st.sampled_from(AXES), amplitude=st.floats(-0.1, 0.1), ratio=st.floats(0.1, 5), phase=angles

@@ -105,6 +105,7 @@ def parameters_of(scenario: Scenario) -> dict[str, float]:
         "node_mass": sheet.node_mass,
         "axial_stiffness": sheet.axial_stiffness,
         "axial_damping": sheet.axial_damping,
+        "shear_ratio": sheet.shear_ratio,
         "bending_stiffness": sheet.bending_stiffness,
         "bending_damping": sheet.bending_damping,
         "torsion_stiffness": sheet.torsion_stiffness,

@@ -68,11 +68,12 @@ def run(
 
 def _check(run: RunRequest) -> None:
     """Refuse what tiles cannot do."""
-    motion = run.scenario.motion
+    motion, ratio = run.scenario.motion, run.scenario.sheet.shear_ratio
     for field, asked, got, allowed in (
         ("plate", run.scenario.plate is not None, "a plate that ends", "one without end"),
         ("motion.waves", bool(motion.waves), f"{len(motion.waves)} further sines", "none beside (4.1) and (4.2)"),
         ("motion.samples", motion.samples is not None, "a sampled trajectory", "the sines of (4.1) and (4.2)"),
+        ("sheet.shear_ratio", ratio != 1, ratio, "1, as rigid tiles do not shear,"),
         ("held", run.held is not None, "held nodes", "a free sheet"),
         ("sheet", len(run.lattice.rest) > 1 and not len(run.lattice.axial_edges), "tiles that share no edge", "joints"),
     ):

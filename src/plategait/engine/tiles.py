@@ -45,7 +45,9 @@ class TileModel:
         Share of a uniform tile's rotary inertia; the source's own bending equation (3.3) has point masses.
     shear_ratio
         Stiffness of the degrees of freedom the joint holds, as a multiple of ``k_c``; the time step must resolve it.
-        From 1 to 40 the highest spin rates rise by less than a tenth.
+        From 1 to 40 the highest spin rates rise by less than a tenth. A penalty in place of the rigid joint, and not
+        `Sheet.shear_ratio`, which is the stiffness of the lattice's diagonals: tiles have none, so `tile_runs` refuses
+        a sheet that sets it.
     k_contact, c_contact
         Contact law (3.1) of one tile, in N/mm^2.2 and N s/m.
     contact_ramp

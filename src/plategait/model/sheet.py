@@ -21,6 +21,7 @@ from plategait.units import (
     BendingStiffness,
     Length,
     Mass,
+    Ratio,
 )
 
 
@@ -30,6 +31,9 @@ class Sheet(Model):
     The joints belong to one tile edge, whatever the pitch: the plate stiffness per width is D = k_b, the in-plane one
     k_c. So a finer pitch is the same material, and results converge. The sheet is an isotropic plate of Poisson ratio
     zero when ``torsion_stiffness == bending_stiffness``; the dissertation leaves torsion free.
+
+    In its plane the lattice yields in shear by its diagonals, of stiffness ``shear_ratio`` times k_c and damping c_c.
+    The joint of section 3.2.2 has no in-plane shear freedom: a ratio above 1 is nearer its rigid tiles.
     """
 
     name: str = Field(default="sheet", description="what the results call it", examples=['"cheese"'])
@@ -46,6 +50,9 @@ class Sheet(Model):
     bending_damping: BendingDamping = Field(default=0.0, description="c_b")
     axial_stiffness: AxialStiffness = Field(description="k_c")
     axial_damping: AxialDamping = Field(default=0.0, description="c_c")
+    shear_ratio: Ratio = Field(
+        default=1.0, description="in-plane stiffness of the diagonals over k_c: 1 is as stiff as compression"
+    )
     torsion_stiffness: BendingStiffness = Field(default=0.0, description="k_t, free in the dissertation")
     torsion_damping: BendingDamping = Field(default=0.0, description="c_t")
 
@@ -117,16 +124,18 @@ class Sheet(Model):
     def stable_time_step(self) -> float:
         """Largest time step at which the joints are stable, s.
 
-        The lattice's eigenvalues are bounded by ω² ≤ (8 k_c + 32 (k_b + k_t)/l²)/m, γ ≤ (8 c + 32 (c_b + c_t)/l²)/m,
-        with the axial damping implicit for each pair of nodes, c = c_c/(1 + 2 c_c dt/m). Semi-implicit Euler with
-        explicit damping is stable while 2 γ dt + ω² dt² < 4, a cubic in dt. The contact is implicit and sets no limit.
+        The lattice's eigenvalues are bounded by ω² ≤ (4 (1 + r) k_c + 32 (k_b + k_t)/l²)/m and
+        γ ≤ (8 c + 32 (c_b + c_t)/l²)/m, with r the `shear_ratio` and the axial damping implicit for each pair of nodes,
+        c = c_c/(1 + 2 c_c dt/m). A line of springs k has eigenvalues of at most 4 k; the grid's two directions are
+        perpendicular, so that together they have no more, 4 k_c, and the diagonals likewise 4 r k_c. Semi-implicit
+        Euler with explicit damping is stable while 2 γ dt + ω² dt² < 4, a cubic in dt. The contact is implicit and
+        sets no limit.
         """
         per_pitch = 32 / self.pitch**2
         axial = 8 * self.axial_damping / self.node_mass
         bending = per_pitch * (self.bending_damping + self.torsion_damping) / self.node_mass
-        squared = (
-            8 * self.axial_stiffness + per_pitch * (self.bending_stiffness + self.torsion_stiffness)
-        ) / self.node_mass
+        in_plane = 4 * (1 + self.shear_ratio) * self.axial_stiffness
+        squared = (in_plane + per_pitch * (self.bending_stiffness + self.torsion_stiffness)) / self.node_mass
         # In steps of the limit that explicit dampers would have, all coefficients are of the order of 1.
         unit = 4 / (axial + bending + math.sqrt((axial + bending) ** 2 + 4 * squared))
         axial, bending, squared = axial * unit, bending * unit, squared * unit**2
