@@ -48,7 +48,7 @@ def source(
         found = study_source(
             out / "stores", seeds=seeds, first=evaluations, generations=generations, dask=dask, progress=progress
         )
-    for name in ("departures", "unknowns", "curves", "trades"):
+    for name in ("departures", "unknowns", "curves", "trades", "front"):
         save(getattr(figures, f"draw_{name}")(found), out / f"{name}.png")
     summary = found.summary()
     write_whole(json.dumps(summary, indent=2, ensure_ascii=False).encode(), out / "source.json", (".json",))

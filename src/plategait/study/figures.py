@@ -6,7 +6,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, label_axes, new_figure
-from plategait.study.aims import PUBLISHED_F0, PUBLISHED_RATIO
+from plategait.study.aims import HAS_FIT, KIND, OF_CURVE, PUBLISHED_F0, PUBLISHED_RATIO, residuals
+from plategait.study.evaluation import FITS_FROM
 from plategait.study.source import QUANTILES, SourceStudy
 from plategait.study.unknowns import NAMES
 
@@ -66,6 +67,26 @@ def draw_curves(study: SourceStudy) -> Figure:
                 colour, marker = _TOLD[told.name]
                 axes.plot(printed, told.fits[0, :, column], marker, color=colour, mfc="none", ms=5, label=told.name)
         label_axes(axes, f"published {label}", f"simulated {label}")
+    panels[0].legend(frameon=False, fontsize=8)
+    return figure
+
+
+def draw_front(study: SourceStudy) -> Figure:
+    """What cannot be had together: the single curves, the regressions on α, and 350 deg/s at 12 Hz."""
+    made = study.learnt.evaluation
+    squares = np.mean([residuals(made.fits[:, k], made.at_12).values ** 2 for k in range(len(FITS_FROM))], axis=0)
+    curves = squares[:, OF_CURVE | HAS_FIT].sum(axis=1)
+    figure = new_figure(9.0, 4.2)
+    panels = figure.subplots(1, 2)
+    for axes, kind, label in ((panels[0], "R² of α", "R² of α on b/f0"), (panels[1], "12 Hz", "rate at 12 deg, 12 Hz")):
+        other = squares[:, kind == KIND].sum(axis=1)
+        axes.plot(curves, other, ".", color=GREY, ms=4)
+        order = np.argsort(curves)
+        front = order[other[order] <= np.minimum.accumulate(other[order])]
+        axes.plot(curves[front], other[front], "o-", color=BLUE, ms=5, drawstyle="steps-post", label="cannot be beaten")
+        label_axes(axes, "squared deviations of the 44 curves", f"squared deviations of {label}")
+        axes.set_xscale("log")
+        axes.set_yscale("log")
     panels[0].legend(frameon=False, fontsize=8)
     return figure
 
