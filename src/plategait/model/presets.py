@@ -5,29 +5,18 @@ from __future__ import annotations
 import difflib
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from plategait.errors import InputError
 from plategait.model.contact import Contact, Friction
+from plategait.model.inferred import NOTES, with_departures
 from plategait.model.motion import PlateMotion
 from plategait.model.outline import Disk
 from plategait.model.scenario import Scenario
 from plategait.model.scenario_file import read_scenario
 from plategait.model.sheet import Sheet
 from plategait.published import NOMINAL_NATURAL_FREQUENCY
-
-PLATE_HEIGHT = 0.007
-"""Height of the plate's surface above the bar's axis, m. The source gives none; docs/fidelity.md says why this one."""
-
-SOLVER_DAMPING = 10.0
-"""Factor on Table 4.1's bending damping, for what the source's implicit solver adds; see docs/fidelity.md."""
-
-_BY_STUDY = {
-    "motion.height": "the plate lies on the bar; one value for all objects, see docs/fidelity.md",
-    "sheet.bending_damping": "ten times the 4.23e-6 N*mm/(deg/s) of Table 4.1, for the damping that the source's "
-    "implicit solver adds; one factor for all objects, see docs/fidelity.md",
-}
 
 
 @dataclass(frozen=True)
@@ -47,7 +36,6 @@ class Preset:
         }
 
 
-# Table 4.1, with SOLVER_DAMPING on the bending damping.
 _TABLE_4_1 = Sheet(
     name="cheese",
     outline=Disk(radius="40 mm"),
@@ -55,16 +43,16 @@ _TABLE_4_1 = Sheet(
     pitch="10 mm",
     thickness="2.5 mm",
     bending_stiffness="2.72e-3 N*mm/deg",
-    bending_damping="42.3e-6 N*mm/(deg/s)",
+    bending_damping="4.23e-6 N*mm/(deg/s)",
     axial_stiffness="0.79 N/mm",
     axial_damping="4.9e-4 N/(mm/s)",
 )
 _CONTACT = Contact(stiffness="11.86 N/mm", damping="7.65e-3 N/(mm/s)")
 _FRICTION = Friction(static=0.75, kinetic=0.40, transition_speed="100 mm/s")
 _PANCAKE_FRICTION = Friction(static=0.60, kinetic=0.32, transition_speed="100 mm/s")
-_FAST_AND_FLAT = PlateMotion(frequency="24 Hz", angle="3 deg", stroke="3 mm", height=PLATE_HEIGHT)
-_SLOW_AND_WIDE = PlateMotion(frequency="12 Hz", angle="12 deg", stroke="3 mm", height=PLATE_HEIGHT)
-_PANCAKE_MOTION = PlateMotion(frequency="7 Hz", angle="16 deg", stroke="2 mm", height=PLATE_HEIGHT)
+_FAST_AND_FLAT = PlateMotion(frequency="24 Hz", angle="3 deg", stroke="3 mm")
+_SLOW_AND_WIDE = PlateMotion(frequency="12 Hz", angle="12 deg", stroke="3 mm")
+_PANCAKE_MOTION = PlateMotion(frequency="7 Hz", angle="16 deg", stroke="2 mm")
 
 _JOINTS_AND_CONTACT: tuple[str, ...] = (
     "sheet.axial_stiffness", "sheet.axial_damping", "contact.stiffness", "contact.damping",
@@ -75,39 +63,38 @@ _SECTION_5_6_2 = ("sheet.outline.radius", "sheet.mass", "motion.angle", "motion.
 
 
 def _like_the_cheese(*names: str) -> dict[str, str]:
-    return dict.fromkeys((*names, *_JOINTS_AND_CONTACT), "as the slice of cheese, Table 4.1") | _BY_STUDY
+    return dict.fromkeys((*names, *_JOINTS_AND_CONTACT), "as the slice of cheese, Table 4.1")
 
 
-def _cheese() -> Preset:
+def _cheese_as_printed() -> Preset:
     fields: tuple[str, ...] = (
         "sheet.outline.radius",
         "sheet.mass",
         "sheet.pitch",
         "sheet.thickness",
         "sheet.bending_stiffness",
+        "sheet.bending_damping",
         *_JOINTS_AND_CONTACT,
     )
     return Preset(
-        Scenario(name="cheese", sheet=_TABLE_4_1, motion=_FAST_AND_FLAT, contact=_CONTACT, friction=_FRICTION),
-        "the slice of cheese of Table 4.1, natural frequency 10π rad/s by the source",
+        Scenario(
+            name="cheese-as-printed", sheet=_TABLE_4_1, motion=_FAST_AND_FLAT, contact=_CONTACT, friction=_FRICTION
+        ),
+        "the same with nothing inferred: Table 4.1 to the letter, the plate on its axis",
         dict.fromkeys(fields, "Table 4.1") | dict.fromkeys(("motion.angle", "motion.stroke"), "section 5.3.1"),
         {
             "motion.frequency": "near the peak of Fig. 5.2(a)",
             "motion.ramp": "the source does not say how its motion starts",
-        }
-        | _BY_STUDY,
+        },
     )
 
 
-def _cheese_as_printed() -> Preset:
-    cheese = _cheese()
-    changes = {"name": "cheese-as-printed", "motion.height": 0.0}
-    damping = cheese.scenario.sheet.bending_damping / SOLVER_DAMPING
-    return Preset(
-        cheese.scenario.replace(**changes, **{"sheet.bending_damping": damping}),
-        "the same with nothing inferred: Table 4.1 to the letter, the plate on its axis",
-        cheese.published | {"sheet.bending_damping": "Table 4.1"},
-        {name: why for name, why in cheese.inferred.items() if name not in _BY_STUDY},
+def _cheese() -> Preset:
+    printed = _cheese_as_printed()
+    return replace(
+        printed,
+        scenario=printed.scenario.replace(name="cheese"),
+        summary="the slice of cheese of Table 4.1, natural frequency 10π rad/s by the source",
     )
 
 
@@ -188,6 +175,15 @@ def _pancake(rigid: bool) -> Preset:
     )
 
 
+def _with_departures(printed: Preset) -> Preset:
+    return replace(
+        printed,
+        scenario=with_departures(printed.scenario),
+        published={name: where for name, where in printed.published.items() if name not in NOTES},
+        inferred=printed.inferred | NOTES,
+    )
+
+
 _MAKERS = {
     "cheese": _cheese,
     "cheese-as-printed": _cheese_as_printed,
@@ -211,7 +207,8 @@ def preset(name: str) -> Preset:
     """
     if not isinstance(name, str) or name not in _MAKERS:
         raise InputError("preset", name, f"one of {', '.join(PRESETS)}", _nearest(name))
-    return _MAKERS[name]()
+    printed = _MAKERS[name]()
+    return printed if name == "cheese-as-printed" else _with_departures(printed)
 
 
 def nominal_natural_frequency(sheet: Sheet) -> float:

@@ -1,0 +1,71 @@
+"""What the presets take beyond what the dissertation prints: few numbers, the same for all its objects and motions.
+
+`plategait study source` infers them; docs/studies.md tells how, and what they explain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from plategait.model.parameters import value_of, with_values
+from plategait.model.scenario import Scenario
+
+
+@dataclass(frozen=True)
+class Departure:
+    """One number that the source does not print, or that its solver may have changed.
+
+    Attributes
+    ----------
+    name : str
+        Dotted name of the parameter of a scenario.
+    number : float
+        Value, SI; or factor on the parameter `of`.
+    interval : tuple of float
+        90 % of its posterior.
+    why : str
+    of : str, optional
+        Dotted name of the parameter that it multiplies.
+    unit : str
+        Of `number`, as people read it.
+    scale : float
+        SI over that unit.
+    """
+
+    name: str
+    number: float
+    interval: tuple[float, float]
+    why: str
+    of: str = ""
+    unit: str = ""
+    scale: float = 1.0
+
+    @property
+    def note(self) -> str:
+        """Where the number comes from, in one line."""
+        low, high = (f"{end / self.scale:.2g}" for end in self.interval)
+        what = f"{self.number / self.scale:g}{self.unit and ' ' + self.unit}"
+        factor = f" times {self.of} as printed" if self.of else ""
+        return f"{what}{factor} (90 %: {low} to {high}), {self.why}; docs/studies.md"
+
+
+DEPARTURES = (
+    Departure("sheet.bending_damping", 10.0, (3.0, 12.0),
+              "for the damping that the source's implicit solver adds", of="sheet.bending_damping"),
+    Departure("motion.height", 7e-3, (5e-3, 12e-3), "the plate lies on the bar", unit="mm", scale=1e-3),
+)  # fmt: skip
+"""In the order in which they are applied."""
+NOTES = {departure.name: departure.note for departure in DEPARTURES}
+"""Remarks by dotted name."""
+
+
+def with_departures(printed: Scenario, departures: Sequence[Departure] = DEPARTURES) -> Scenario:
+    """Scenario with the inferred numbers in place of what is printed."""
+    values = {d.name: d.number * (float(value_of(printed, d.of)) if d.of else 1.0) for d in departures}
+    return with_values(printed, values)
+
+
+def factor_of(name: str) -> float:
+    """Inferred number of a parameter; 1 where it is as printed."""
+    return next((departure.number for departure in DEPARTURES if departure.name == name), 1.0)
