@@ -93,14 +93,14 @@ def test_a_curve_without_a_fit_counts_and_spoils_no_other():
 TRUTH = {"k_t/k_b": 0.3, "c_b factor": 4.0}
 
 
-def toy(choices, folder, name, **options) -> Evaluation:
+def toy(choices, folder, name, starts=0, **options) -> tuple[Evaluation, ...]:
     fits = np.empty((len(choices), len(FITS_FROM), len(CURVES), 3))
     for i, choice in enumerate(choices):
         torsion = (choice["k_t/k_b"] - TRUTH["k_t/k_b"]) / 3
         damping = 0.2 * math.log(choice["c_b factor"] / TRUTH["c_b factor"])
         fits[i] = PUBLISHED * np.exp([torsion, damping, 0.0])
         fits[i] *= 1 + 0.1 * (choice.law == LAWS[1])
-    return Evaluation(tuple(choices), fits, np.full(len(choices), 350.0))
+    return (Evaluation(tuple(choices), fits, np.full(len(choices), 350.0)),) * (1 + starts)
 
 
 @pytest.fixture(scope="module")

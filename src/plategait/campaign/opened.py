@@ -77,6 +77,10 @@ class Campaign:
         """Rate, gait and failure of each point of `data`, over its repeats."""
         return together(**{name: self.data[name].values for name in TAKEN})
 
+    def from_start(self, number: int) -> Ensemble:
+        """Rate, gait and failure of each point of `data` from one of its starts alone; 0 is the nominal one."""
+        return together(**{name: self.data[name].values[:, number : number + 1] for name in TAKEN})
+
     def observable(self, name: str) -> tuple[Array, Array]:
         """(n,) values and standard deviations of an observable at each point of `data`, over its repeats, SI.
 

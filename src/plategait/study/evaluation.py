@@ -51,6 +51,10 @@ class Evaluation:
     fits: Array
     at_12: Array
 
+    def only(self, i: int) -> Evaluation:
+        """Of one choice."""
+        return Evaluation(self.choices[i : i + 1], self.fits[i : i + 1], self.at_12[i : i + 1])
+
 
 def _points(choices: Sequence[Choice]) -> dict[str, list[Any]]:
     """Lists by parameter: every frequency of every curve of every choice."""
@@ -91,11 +95,11 @@ def evaluate(
     folder: Path,
     name: str,
     *,
-    repeats: int = 1,
+    starts: int = 0,
     seed: int = 0,
     dask: object = None,
     progress: Callable[[float], object] | None = None,
-) -> Evaluation:
+) -> tuple[Evaluation, ...]:
     """Simulate the published curves under each choice, in stores that resume, and fit them.
 
     Parameters
@@ -105,27 +109,33 @@ def evaluate(
         Of the stores.
     name : str
         Of this round; the same choices under the same name go on where they were interrupted.
-    repeats : int
-        Slightly different starts of each run.
-    seed, dask, progress
+    starts : int
+        Slightly different starts of each run, beside the nominal one.
+    seed : int
+        Of those starts.
+    dask, progress
         See `plategait.campaign.run.sweep`.
+
+    Returns
+    -------
+    evaluations : tuple of Evaluation
+        From the nominal start, and from each of the others.
 
     Raises
     ------
     InputError
         When a store is another's, damaged, or cannot be written.
     """
-    fits, at_12 = [], []
+    made: list[list[Evaluation]] = [[] for _ in range(1 + starts)]
     for first in range(0, len(choices), CHOICES_OF_STORE):
-        part = choices[first : first + CHOICES_OF_STORE]
-        plan = Sweep(name=name, scenario=base(), points=_points(part), repeats=repeats, seed=seed, batch=2000)
+        part = tuple(choices[first : first + CHOICES_OF_STORE])
+        plan = Sweep(name=name, scenario=base(), points=_points(part), repeats=1 + starts, seed=seed, batch=2000)
         share, done = len(part) / len(choices), first / len(choices)
         report = None if progress is None else (lambda x, d=done, s=share, p=progress: p(d + s * x))
         campaign = sweep(plan, folder / f"{name}-{first:04d}.zarr", dask=dask, progress=report)
-        shown, rate = _fits(campaign.outcomes, len(part))
-        fits.append(shown)
-        at_12.append(rate)
-    return Evaluation(tuple(choices), np.concatenate(fits), np.concatenate(at_12))
+        for start, evaluations in enumerate(made):
+            evaluations.append(Evaluation(part, *_fits(campaign.from_start(start), len(part))))
+    return tuple(joined(*evaluations) for evaluations in made)
 
 
 def _fits(points: Ensemble, n_choices: int) -> tuple[Array, Array]:

@@ -36,13 +36,16 @@ class Step:
     deviations : (d,) array
         Of the priors.
     misfit : float
-        Sum of squares over all aims, in units of what each may miss.
+        Sum of squares over all aims, in units of what each may miss; of several starts their mean.
+    error : float
+        Standard error of that mean; 0 for what a surrogate tells.
     """
 
     free: tuple[str, ...]
     law: str
     deviations: Array
     misfit: float
+    error: float = 0.0
 
     @property
     def criterion(self) -> float:
@@ -76,9 +79,10 @@ def backward(found: Learnt, law: str) -> list[Step]:
 
 
 def smallest(steps: Sequence[Step]) -> Step:
-    """Smallest set of departures that is as good as the best: within `AS_GOOD` of the least criterion."""
-    least = min(step.criterion for step in steps)
-    return min((step for step in steps if step.criterion <= least + AS_GOOD), key=lambda step: len(step.free))
+    """Smallest set of departures as good as the best: within `AS_GOOD`, or its error, of the least criterion."""
+    least = min(steps, key=lambda step: step.criterion)
+    limit = least.criterion + max(AS_GOOD, least.error)
+    return min((step for step in steps if step.criterion <= limit), key=lambda step: (len(step.free), step.criterion))
 
 
 @dataclass(frozen=True)

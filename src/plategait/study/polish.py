@@ -11,10 +11,12 @@ import numpy as np
 from plategait.arrays import Flags
 from plategait.study.evaluation import Evaluation, evaluate, joined
 from plategait.study.inference import HALVES, Step, backward, smallest, step_with
-from plategait.study.search import learnt, losses, misfits
-from plategait.study.unknowns import NAMES, Choice, deviations_of
+from plategait.study.search import learnt, misfits
+from plategait.study.unknowns import NAMES
 
-ROUNDS = 4
+ROUNDS = 3
+STARTS = 3
+"""Starts of each run beside the nominal one: one start's loss has a standard deviation of 15 to 50."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +41,20 @@ class Polished:
     halves: Mapping[str, Step]
 
 
+@dataclass(frozen=True, eq=False)
+class _Trial:
+    """A proposal, and what it gave from each start."""
+
+    step: Step
+    starts: tuple[Evaluation, ...]
+
+    def told(self, used: Flags | None = None) -> Step:
+        """The proposal with its simulated misfit over the aims `used`."""
+        misfit = np.array([misfits(start, used)[0] for start in self.starts])
+        error = misfit.std(ddof=1) / np.sqrt(len(misfit))
+        return replace(self.step, misfit=float(misfit.mean()), error=float(error))
+
+
 def polish(
     evaluation: Evaluation,
     law: str,
@@ -53,45 +69,35 @@ def polish(
     Parameters
     ----------
     evaluation : Evaluation
-        What to begin from; its first choice is the printed one.
+        What to begin from.
     law : str
         Of friction.
     folder, dask, progress
         See `plategait.study.evaluation.evaluate`.
     """
-    printed = Step((), law, np.zeros(len(NAMES)), float(misfits(evaluation)[_printed(evaluation, law)]))
-    simulated: list[Step] = [printed]
+    trials: list[_Trial] = []
     for number in range(rounds):
-        proposed = backward(learnt(evaluation), law)[1:]
-        free = smallest(simulated if number else [printed, *proposed]).free
+        found = learnt(evaluation)
+        proposed = backward(found, law)
+        free = smallest([trial.told() for trial in trials] or proposed).free
+        # As printed once, then what each half of the curves asks for: each round fills whole stores.
         halves = [step_with(learnt(evaluation, used), free, law, used) for used, _ in HALVES.values()]
+        asked = [*proposed[number > 0 :], *halves]
         report = None if progress is None else (lambda x, n=number, p=progress: p((n + x) / rounds))
-        choices = [step.choice for step in (*proposed, *halves)]
-        made = evaluate(choices, folder, f"round-{number}", dask=dask, progress=report)
-        simulated += [replace(s, misfit=float(m)) for s, m in zip(proposed, misfits(made), strict=False)]
-        evaluation = joined(evaluation, made)
-    steps = tuple(
-        min((s for s in simulated if len(s.free) == n), key=_total)
-        for n in range(max(len(s.free) for s in simulated) + 1)
-    )
+        made = evaluate(
+            [step.choice for step in asked], folder, f"round-{number}", starts=STARTS, dask=dask, progress=report
+        )
+        trials += [_Trial(step, tuple(start.only(i) for start in made)) for i, step in enumerate(asked)]
+        evaluation = joined(evaluation, *made)
+    steps = tuple(_best(trials, None, lambda s, n=n: len(s.free) == n) for n in range(len(NAMES) + 1))
     chosen = smallest(steps)
-    halves = {name: best_within(evaluation, chosen.free, law, used) for name, (used, _) in HALVES.items()}
+    halves = {
+        name: _best(trials, used, lambda s: set(s.free) <= set(chosen.free)) for name, (used, _) in HALVES.items()
+    }
     return Polished(evaluation, steps, chosen, halves)
 
 
-def _total(step: Step) -> float:
-    return step.misfit + float((step.deviations**2).sum())
-
-
-def _printed(evaluation: Evaluation, law: str) -> int:
-    return evaluation.choices.index(Choice({}, law))
-
-
-def best_within(evaluation: Evaluation, free: Sequence[str], law: str, used: Flags | None = None) -> Step:
-    """The simulated choice of least loss over the aims `used` that departs in nothing but `free`."""
-    z = np.stack([deviations_of(choice) for choice in evaluation.choices])
-    outside = np.array([name not in free for name in NAMES])
-    inside = (np.abs(z[:, outside]) < 1e-9).all(axis=1) & np.array([c.law == law for c in evaluation.choices])
-    loss = np.where(inside, losses(evaluation, used), np.inf)
-    i = int(loss.argmin())
-    return Step(tuple(free), law, z[i], float(misfits(evaluation, used)[i]))
+def _best(trials: Sequence[_Trial], used: Flags | None, among: Callable[[Step], bool]) -> Step:
+    """Proposal of least simulated loss over the aims `used`, prior included."""
+    told = [trial.told(used) for trial in trials if among(trial.step)]
+    return min(told, key=lambda step: step.misfit + float((step.deviations**2).sum()))

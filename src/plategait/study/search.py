@@ -247,7 +247,7 @@ def search(
     total = first + generations * POPULATION
     report = None if progress is None else (lambda x: progress(x * first / total))
     start = [Choice({}, law) for law in LAWS] + spread(first - len(LAWS), seed)
-    evaluation = evaluate(start, folder, f"seed{seed}-0", dask=dask, progress=report)
+    (evaluation,) = evaluate(start, folder, f"seed{seed}-0", dask=dask, progress=report)
     best_so_far = evaluation.choices[int(losses(evaluation).argmin())]
     strategy = _strategy(deviations_of(best_so_far), seed)
     for number in range(1, generations + 1):
@@ -260,7 +260,7 @@ def search(
         report = None if progress is None else (lambda x, d=done, p=progress: p(d + x * POPULATION / total))
         # Rounded, so that round-off of another processor is no other study.
         choices = [choice_at(np.round(z, 3), best_so_far.law) for z in asked]
-        made = evaluate(choices, folder, f"seed{seed}-{number}", dask=dask, progress=report)
+        (made,) = evaluate(choices, folder, f"seed{seed}-{number}", dask=dask, progress=report)
         strategy.tell(asked, losses(made).tolist())
         evaluation = joined(evaluation, made)
     return learnt(evaluation)

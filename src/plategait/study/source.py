@@ -23,7 +23,7 @@ SEEDS = 3
 FIRST, GENERATIONS = 48, 5
 """Evaluations of each seed over the priors, and generations of the evolution strategy from the best of them."""
 STARTS = 4
-"""Starts of each run with which choices are told at the end."""
+"""Starts of each run, beside the nominal one, with which choices are told at the end."""
 QUANTILES = (0.05, 0.5, 0.95)
 DETERMINED = 0.5
 """An unknown is determined by the published data where the posterior is narrower than this share of the prior."""
@@ -115,7 +115,11 @@ class SourceStudy:
                        "determined": self.narrowing(name) < DETERMINED}
                 for name in NAMES
             },
-            "steps": [{"free": list(s.free), "misfit": s.misfit, "criterion": s.criterion} for s in self.steps],
+            "steps": [
+                {"free": list(s.free), "values": {name: s.choice[name] for name in s.free}, "misfit": s.misfit,
+                 "error": s.error, "criterion": s.criterion}
+                for s in self.steps
+            ],
             "told": [
                 {"name": t.name, "values": dict(t.choice.values), "loss": t.loss.tolist(), "noise": t.noise,
                  "by_kind": dict(t.by_kind), "rate_at_12_hz_deg_s": t.at_12, **_deviations(t)}
@@ -166,7 +170,7 @@ def study_source(
             raise InputError(name, value, f"at least {least}", str(least))
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    within = _shares(progress, seeds * (first + generations * POPULATION), ROUNDS * POPULATION, 8 * STARTS)
+    within = _shares(progress, seeds * (first + generations * POPULATION), 4 * ROUNDS * POPULATION, 8 * (1 + STARTS))
     searches: list[Learnt] = []
     for seed in range(seeds):
         report = None if within[0] is None else (lambda x, s=seed, p=within[0]: p((s + x) / seeds))
@@ -216,10 +220,8 @@ def tell(
     dask: object = None,
     progress: Callable[[float], object] | None = None,
 ) -> tuple[Told, ...]:
-    """Simulate choices with `STARTS` starts other than those of the search."""
-    listed, made = list(choices.values()), []
-    for start, report in enumerate(_shares(progress, *[1.0] * STARTS), start=1):
-        made.append(evaluate(listed, folder, f"told-{start}", seed=start, dask=dask, progress=report))
+    """Simulate choices from `STARTS` starts that the search has not seen."""
+    _, *made = evaluate(list(choices.values()), folder, "told", starts=STARTS, seed=1, dask=dask, progress=progress)
     return tuple(_told(name, made, i) for i, name in enumerate(choices))
 
 
