@@ -16,6 +16,8 @@ from plategait.study.unknowns import LAWS, NAMES, UNKNOWNS, Choice, choice_at, d
 CURVES = published.curves()
 PUBLISHED = np.array([[c.f0_hz, c.b_over_f0, PEAKS[c.angle_deg, c.omega_pi]] for c in CURVES])
 
+IN_ORDER = np.zeros((1, 5))
+
 
 def test_a_choice_and_its_deviations_are_each_other_s_inverse():
     z = np.random.default_rng(0).uniform(0, 2, len(UNKNOWNS))
@@ -69,7 +71,7 @@ def test_what_few_evaluations_have_is_not_learnt():
 
 
 def test_the_published_fits_meet_their_own_aims():
-    aims = residuals(PUBLISHED[None], np.array([350.0]))
+    aims = residuals(PUBLISHED[None], np.array([350.0]), IN_ORDER)
     assert aims.values.shape == (1, len(KIND))
     assert np.abs(aims.values[0, OF_CURVE]).max() < 1e-9
     # The regressions were printed to a few digits.
@@ -81,7 +83,7 @@ def test_the_published_fits_meet_their_own_aims():
 def test_a_curve_without_a_fit_counts_and_spoils_no_other():
     fits = PUBLISHED.copy()
     fits[3] = math.nan
-    aims = residuals(fits[None], np.array([math.nan]))
+    aims = residuals(fits[None], np.array([math.nan]), IN_ORDER)
     assert np.isfinite(aims.values).all()
     # Three deviations of f0 and three of b/f0.
     np.testing.assert_allclose(aims.values[0, HAS_FIT] ** 2, 18 * (np.arange(len(CURVES)) == 3), rtol=1e-12)
@@ -100,7 +102,8 @@ def toy(choices, folder, name, starts=0, **options) -> tuple[Evaluation, ...]:
         damping = 0.2 * math.log(choice["c_b factor"] / TRUTH["c_b factor"])
         fits[i] = PUBLISHED * np.exp([torsion, damping, 0.0])
         fits[i] *= 1 + 0.1 * (choice.law == LAWS[1])
-    return (Evaluation(tuple(choices), fits, np.full(len(choices), 350.0)),) * (1 + starts)
+    at_12, gaits = np.full(len(choices), 350.0), np.zeros((len(choices), 5))
+    return (Evaluation(tuple(choices), fits, at_12, gaits),) * (1 + starts)
 
 
 @pytest.fixture(scope="module")

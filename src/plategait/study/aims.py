@@ -41,7 +41,9 @@ class Residuals:
         return squares.sum(axis=1) if used is None else squares[:, used].sum(axis=1)
 
 
-def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None, missing: Array | None = None) -> Residuals:
+def residuals(
+    fits: Array, at_12: Array, gaits: Array, uncertainty: Array | None = None, missing: Array | None = None
+) -> Residuals:
     """Residuals of choices.
 
     Parameters
@@ -50,6 +52,8 @@ def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None, missi
         `OUTPUTS` of the fits; NaN where a curve has none.
     at_12 : (n,) array
         Rate at A_p = 12 deg and 12 Hz, deg/s; NaN where it fails.
+    gaits : (n, 5) array
+        See `plategait.study.evaluation.Evaluation`: each point out of order, each gait absent or short of running is one.
     uncertainty : (curves, outputs) array, optional
         Of the fits, relative, where they come from a surrogate: added in quadrature to what they may miss.
     missing : (n, curves) array, optional
@@ -79,6 +83,7 @@ def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None, missi
             blocks.append((line[:, :1] - printed[r2].value) / MAY_MISS["r2"])
             blocks.append(np.stack([line[:, 1] / printed[slope].value - 1, off], axis=1) / MAY_MISS["line"])
     blocks.append((at_12 / RATE_AT_12 - 1)[:, None] / MAY_MISS["peak"])
+    blocks.append(gaits)
     values = np.concatenate(blocks, axis=1)
     return Residuals(np.where(np.isfinite(values), np.clip(values, -2 * NO_FIT, 2 * NO_FIT), NO_FIT))
 
@@ -86,7 +91,13 @@ def residuals(fits: Array, at_12: Array, uncertainty: Array | None = None, missi
 N_CURVES = len(CURVES)
 _LINES = [kind for _ in published.AMPLITUDES for kind in ("R² of ω_n", "line", "line", "R² of α", "line", "line")]
 KIND = np.array(
-    ["f0"] * N_CURVES + ["b/f0"] * N_CURVES + ["no fit"] * N_CURVES + ["peak"] * len(PEAKS) + _LINES + ["12 Hz"]
+    ["f0"] * N_CURVES
+    + ["b/f0"] * N_CURVES
+    + ["no fit"] * N_CURVES
+    + ["peak"] * len(PEAKS)
+    + _LINES
+    + ["12 Hz"]
+    + ["gaits"] * 5
 )
 """What each aim is about."""
 OF_CURVE = (KIND == "f0") | (KIND == "b/f0")

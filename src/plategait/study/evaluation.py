@@ -20,6 +20,7 @@ from plategait.model.presets import preset
 from plategait.model.scenario import Scenario
 from plategait.published import FRICTION_RATIO, PublishedCurve
 from plategait.simulation.ensemble import Ensemble
+from plategait.simulation.observables import GAITS
 from plategait.study.unknowns import Choice, parameters
 
 FREQUENCIES = {3: tuple(np.arange(13.0, 32.0, 1.0)), 12: tuple(np.arange(9.0, 16.0, 0.5))}
@@ -45,15 +46,20 @@ class Evaluation:
         `OUTPUTS` of each fit in the order of `published.curves`; NaN where a curve has none.
     at_12 : (choices,) array
         Spin rate of Table 4.1's sheet at A_p = 12 deg and 12 Hz, deg/s (section 4.3); NaN where it fails.
+    gaits : (choices, 5) array
+        Points out of the order of sliding, walking and running, and gaits that are absent, of the four objects of A_p =
+        12 deg at the reference friction angle, softest first; and how far from running Table 4.1's is at its fastest.
     """
 
     choices: tuple[Choice, ...]
     fits: Array
     at_12: Array
+    gaits: Array
 
     def only(self, i: int) -> Evaluation:
         """Of one choice."""
-        return Evaluation(self.choices[i : i + 1], self.fits[i : i + 1], self.at_12[i : i + 1])
+        one = slice(i, i + 1)
+        return Evaluation(self.choices[one], self.fits[one], self.at_12[one], self.gaits[one])
 
 
 def _points(choices: Sequence[Choice]) -> dict[str, list[Any]]:
@@ -138,11 +144,11 @@ def evaluate(
     return tuple(joined(*evaluations) for evaluations in made)
 
 
-def _fits(points: Ensemble, n_choices: int) -> tuple[Array, Array]:
-    """Fits (choices, fits_from, curves, outputs) and rates at 12 deg and 12 Hz of the points of a store."""
+def _fits(points: Ensemble, n_choices: int) -> tuple[Array, Array, Array]:
+    """Fits, rates at 12 deg and 12 Hz, and gaits (see `Evaluation`) of the points of a store."""
     curves = published.curves()
     fits = np.full((n_choices, len(FITS_FROM), len(curves), len(OUTPUTS)), math.nan)
-    at_12, first = np.full(n_choices, math.nan), 0
+    at_12, gaits, first = np.full(n_choices, math.nan), np.zeros((n_choices, 5)), 0
     for i in range(n_choices):
         for j, published_curve in enumerate(curves):
             frequencies = FREQUENCIES[published_curve.angle_deg]
@@ -152,10 +158,32 @@ def _fits(points: Ensemble, n_choices: int) -> tuple[Array, Array]:
                 fit = _fit(curve, start[published_curve.angle_deg])
                 if fit is not None:
                     fits[i, k, j] = [getattr(fit, name) for name in OUTPUTS]
-            if (published_curve.angle_deg, published_curve.omega_pi) == (12, 10.0) and is_reference(published_curve):
-                at = frequencies.index(12.0)
-                at_12[i] = math.nan if curve.failed[at] else curve.spin_rate_deg_s[at]
-    return fits, at_12
+            if published_curve.angle_deg == 12 and is_reference(published_curve):
+                gaits[i, GAIT_OBJECTS.index(published_curve.omega_pi)] = out_of_order(curve)
+                if published_curve.omega_pi == 10.0:
+                    at = frequencies.index(12.0)
+                    at_12[i] = math.nan if curve.failed[at] else curve.spin_rate_deg_s[at]
+                    gaits[i, -1] = short_of_running(curve)
+    return fits, at_12, gaits
+
+
+GAIT_OBJECTS = sorted({c.omega_pi for c in published.curves() if c.angle_deg == 12})
+"""ω_n of the objects whose gaits are looked at, π rad/s."""
+
+
+def out_of_order(curve: Curve) -> float:
+    """How many points below the run-off fall back from an earlier gait, by how much, and how many gaits are absent."""
+    steps = np.array([GAITS.index(g) for g, fitted in zip(curve.gait, curve.fitted, strict=True) if fitted and g])
+    if not len(steps):
+        return float(len(GAITS))
+    return float((np.maximum.accumulate(steps) - steps).sum() + len(GAITS) - len(set(steps)))
+
+
+def short_of_running(curve: Curve) -> float:
+    """Gaits between that of the fastest point below the run-off and running."""
+    rate = np.where(curve.fitted, curve.spin_rate_deg_s, -math.inf)
+    fastest = curve.gait[int(rate.argmax())] if curve.fitted.any() else ""
+    return float(len(GAITS) - 1 - GAITS.index(fastest)) if fastest else float(len(GAITS) - 1)
 
 
 def is_reference(curve: PublishedCurve) -> bool:
@@ -190,5 +218,6 @@ def joined(*evaluations: Evaluation) -> Evaluation:
             choices=first.choices + other.choices,
             fits=np.concatenate([first.fits, other.fits]),
             at_12=np.concatenate([first.at_12, other.at_12]),
+            gaits=np.concatenate([first.gaits, other.gaits]),
         )
     return first

@@ -74,7 +74,9 @@ def draw_curves(study: SourceStudy) -> Figure:
 def draw_front(study: SourceStudy) -> Figure:
     """What cannot be had together: the single curves, the regressions on α, and 350 deg/s at 12 Hz."""
     made = study.learnt.evaluation
-    squares = np.mean([residuals(made.fits[:, k], made.at_12).values ** 2 for k in range(len(FITS_FROM))], axis=0)
+    squares = np.mean(
+        [residuals(made.fits[:, k], made.at_12, made.gaits).values ** 2 for k in range(len(FITS_FROM))], axis=0
+    )
     curves = squares[:, OF_CURVE | HAS_FIT].sum(axis=1)
     figure = new_figure(9.0, 4.2)
     panels = figure.subplots(1, 2)

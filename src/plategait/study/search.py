@@ -59,9 +59,10 @@ class Learnt:
             told = surrogate(x)
             told[:, ~np.isfinite(surrogate.error)] = np.nan
             fits = np.exp(told[:, :_FITS]).reshape(len(x), N_CURVES, len(OUTPUTS))
-            missing = np.clip(told[:, _FITS + 1 :], 0, 1)
+            missing = np.clip(told[:, _FITS + 1 : _FITS + 1 + N_CURVES], 0, 1)
+            gaits = np.maximum(told[:, _FITS + 1 + N_CURVES :], 0)
             error = surrogate.error[:_FITS].reshape(N_CURVES, len(OUTPUTS))
-            places.append(residuals(fits, np.exp(told[:, _FITS]), error, missing).values[:, used])
+            places.append(residuals(fits, np.exp(told[:, _FITS]), gaits, error, missing).values[:, used])
         return np.concatenate(places, axis=1) / np.sqrt(len(FITS_FROM))
 
     def misfit(self, x: Array, used: Flags | None = None) -> Array:
@@ -85,7 +86,8 @@ def learnt(evaluation: Evaluation, used: Flags | None = None) -> Learnt:
         fits = evaluation.fits[:, k]
         with np.errstate(invalid="ignore", divide="ignore"):
             logs = np.log(np.column_stack([fits.reshape(len(x), -1), evaluation.at_12]))
-        surrogates.append(learn(x, np.column_stack([logs, np.isnan(fits[:, :, 0])]), weight))
+        plain = np.column_stack([np.isnan(fits[:, :, 0]), evaluation.gaits])
+        surrogates.append(learn(x, np.column_stack([logs, plain]), weight))
     return Learnt(evaluation, tuple(surrogates))
 
 
@@ -207,7 +209,9 @@ def losses(evaluation: Evaluation, used: Flags | None = None) -> Array:
 
 def misfits(evaluation: Evaluation, used: Flags | None = None) -> Array:
     """(choices,) sums of squares over the aims `used`, over all places where a fit may begin in the mean."""
-    places = [residuals(evaluation.fits[:, k], evaluation.at_12).loss(used) for k in range(len(FITS_FROM))]
+    places = [
+        residuals(evaluation.fits[:, k], evaluation.at_12, evaluation.gaits).loss(used) for k in range(len(FITS_FROM))
+    ]
     return np.mean(places, axis=0)
 
 

@@ -226,8 +226,9 @@ def tell(
 
 
 def _told(name: str, made: Sequence[Evaluation], i: int) -> Told:
-    fits, at_12 = np.stack([m.fits[i] for m in made]), np.array([m.at_12[i] for m in made])
-    aims = [residuals(fits[:, k], at_12) for k in range(len(FITS_FROM))]
+    one = [m.only(i) for m in made]
+    fits, at_12, gaits = (np.concatenate([getattr(m, name) for m in one]) for name in ("fits", "at_12", "gaits"))
+    aims = [residuals(fits[:, k], at_12, gaits) for k in range(len(FITS_FROM))]
     loss = np.array([a.loss() for a in aims])
     squares = (aims[0].values ** 2).mean(axis=0)
     with warnings.catch_warnings():
