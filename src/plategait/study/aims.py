@@ -9,7 +9,7 @@ import numpy as np
 
 from plategait import published
 from plategait.arrays import Array, Flags
-from plategait.study.evaluation import OUTPUTS, is_reference
+from plategait.study.evaluation import OUTPUTS, Evaluation, is_reference
 
 CURVES = published.curves()
 MAY_MISS = {"f0_hz": 0.03, "b_over_f0": 0.15, "peak": 0.10, "r2": 0.05, "line": 0.15}
@@ -53,7 +53,7 @@ def residuals(
     at_12 : (n,) array
         Rate at A_p = 12 deg and 12 Hz, deg/s; NaN where it fails.
     gaits : (n, 5) array
-        See `plategait.study.evaluation.Evaluation`: each point out of order, each gait absent or short of running is one.
+        See `plategait.study.evaluation.Evaluation`: each point out of order and each gait absent is one.
     uncertainty : (curves, outputs) array, optional
         Of the fits, relative, where they come from a surrogate: added in quadrature to what they may miss.
     missing : (n, curves) array, optional
@@ -88,17 +88,15 @@ def residuals(
     return Residuals(np.where(np.isfinite(values), np.clip(values, -2 * NO_FIT, 2 * NO_FIT), NO_FIT))
 
 
+def residuals_of(evaluation: Evaluation, fit_from: int) -> Residuals:
+    """Residuals of an evaluation's choices where the fit begins at one of `FITS_FROM`."""
+    return residuals(evaluation.fits[:, fit_from], evaluation.at_12, evaluation.gaits)
+
+
 N_CURVES = len(CURVES)
 _LINES = [kind for _ in published.AMPLITUDES for kind in ("R² of ω_n", "line", "line", "R² of α", "line", "line")]
-KIND = np.array(
-    ["f0"] * N_CURVES
-    + ["b/f0"] * N_CURVES
-    + ["no fit"] * N_CURVES
-    + ["peak"] * len(PEAKS)
-    + _LINES
-    + ["12 Hz"]
-    + ["gaits"] * 5
-)
+_BY_CURVE = [kind for kind in ("f0", "b/f0", "no fit") for _ in CURVES]
+KIND = np.array([*_BY_CURVE, *["peak"] * len(PEAKS), *_LINES, "12 Hz", *["gaits"] * 5])
 """What each aim is about."""
 OF_CURVE = (KIND == "f0") | (KIND == "b/f0")
 """Aims of single curves: their numbers."""

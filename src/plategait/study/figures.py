@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, label_axes, new_figure
-from plategait.study.aims import HAS_FIT, KIND, OF_CURVE, PUBLISHED_F0, PUBLISHED_RATIO, residuals
+from plategait.study.aims import HAS_FIT, KIND, OF_CURVE, PUBLISHED_F0, PUBLISHED_RATIO, residuals_of
 from plategait.study.evaluation import FITS_FROM
 from plategait.study.source import QUANTILES, SourceStudy
 from plategait.study.unknowns import NAMES
@@ -74,9 +74,7 @@ def draw_curves(study: SourceStudy) -> Figure:
 def draw_front(study: SourceStudy) -> Figure:
     """What cannot be had together: the single curves, the regressions on α, and 350 deg/s at 12 Hz."""
     made = study.learnt.evaluation
-    squares = np.mean(
-        [residuals(made.fits[:, k], made.at_12, made.gaits).values ** 2 for k in range(len(FITS_FROM))], axis=0
-    )
+    squares = np.mean([residuals_of(made, k).values ** 2 for k in range(len(FITS_FROM))], axis=0)
     curves = squares[:, OF_CURVE | HAS_FIT].sum(axis=1)
     figure = new_figure(9.0, 4.2)
     panels = figure.subplots(1, 2)

@@ -18,7 +18,7 @@ from scipy.stats import qmc
 
 from plategait.arrays import Array, Flags
 from plategait.errors import InputError
-from plategait.study.aims import KIND, N_CURVES, residuals
+from plategait.study.aims import KIND, N_CURVES, residuals, residuals_of
 from plategait.study.evaluation import FITS_FROM, OUTPUTS, Evaluation, evaluate, joined
 from plategait.study.surrogate import Surrogate, learn
 from plategait.study.unknowns import LAWS, UNKNOWNS, Choice, choice_at, deviations_of
@@ -209,9 +209,7 @@ def losses(evaluation: Evaluation, used: Flags | None = None) -> Array:
 
 def misfits(evaluation: Evaluation, used: Flags | None = None) -> Array:
     """(choices,) sums of squares over the aims `used`, over all places where a fit may begin in the mean."""
-    places = [
-        residuals(evaluation.fits[:, k], evaluation.at_12, evaluation.gaits).loss(used) for k in range(len(FITS_FROM))
-    ]
+    places = [residuals_of(evaluation, k).loss(used) for k in range(len(FITS_FROM))]
     return np.mean(places, axis=0)
 
 
