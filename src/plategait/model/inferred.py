@@ -66,6 +66,6 @@ def with_departures(printed: Scenario, departures: Sequence[Departure] = DEPARTU
     return with_values(printed, values)
 
 
-def factor_of(name: str) -> float:
-    """Inferred number of a parameter; 1 where it is as printed."""
+def number_of(name: str) -> float:
+    """Inferred number of a parameter, its value or factor; 1 where it is as printed."""
     return next((departure.number for departure in DEPARTURES if departure.name == name), 1.0)

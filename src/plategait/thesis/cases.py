@@ -10,7 +10,7 @@ import numpy as np
 
 from plategait import published
 from plategait.curve.protocol import REGENERATED
-from plategait.model.inferred import factor_of
+from plategait.model.inferred import number_of
 from plategait.model.parameters import with_values
 from plategait.model.presets import preset
 from plategait.model.scenario import Scenario
@@ -106,9 +106,9 @@ class Case:
 
 VARIANTS = {
     "half step": "time step halved",
-    "plate on its axis": "plate surface on its axis (h = 0) instead of 7 mm above",
-    "plate at 12 mm": "plate surface 12 mm above its axis instead of 7 mm",
-    "printed damping": f"c_b as printed instead of {factor_of('sheet.bending_damping'):g} times that",
+    "plate on its axis": f"plate surface on its axis (h = 0) instead of {1e3 * number_of('motion.height'):g} mm above",
+    "plate at 12 mm": f"plate surface 12 mm above its axis instead of {1e3 * number_of('motion.height'):g} mm",
+    "printed damping": f"c_b as printed instead of {number_of('sheet.bending_damping'):g} times that",
     "smooth friction": "the smooth friction law of the source's solver instead of (3.2)",
     "one friction": "μ_k = μ_s instead of β = 0.53",
     "damped torsion": "torsion damped like bending instead of free",
@@ -137,7 +137,7 @@ def _departures(variant: str, scenario: Scenario) -> dict[str, Any]:
         "half step": {"time_step": scenario.dt / 2},
         "plate on its axis": {"motion.height": 0.0},
         "plate at 12 mm": {"motion.height": 0.012},
-        "printed damping": {"sheet.bending_damping": sheet.bending_damping / factor_of("sheet.bending_damping")},
+        "printed damping": {"sheet.bending_damping": sheet.bending_damping / number_of("sheet.bending_damping")},
         "smooth friction": {"friction.law": "adams"},
         "one friction": {},
         "damped torsion": {"sheet.torsion_damping": sheet.bending_damping},

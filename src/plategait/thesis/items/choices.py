@@ -20,9 +20,9 @@ WEIGHED = (Case(3, 10.0), Case(3, 33.0), Case(12, 1.4), Case(12, 10.0))
 
 _LEFT_OPEN = {
     "half step": "no choice: what the time step itself moves",
-    "plate on its axis": "the height of the surface over the axis is not printed; 7 mm is inferred",
+    "plate on its axis": "the height of the surface over the axis is not printed; it is inferred",
     "plate at 12 mm": "the same",
-    "printed damping": "the damping that the source's implicit solver added is not reported; ten times c_b is inferred",
+    "printed damping": "the damping that the source's implicit solver added is not reported; c_b is inferred",
     "smooth friction": "(3.2) is printed, but the source's solver is known for a smooth law",
     "one friction": "β = 0.53 is printed; shown for its weight",
     "damped torsion": "torsion is left free and undamped in section 3.2.2; a real sheet's is not",

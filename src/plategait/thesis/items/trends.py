@@ -10,6 +10,7 @@ import numpy as np
 
 from plategait import published
 from plategait.arrays import Array
+from plategait.model.inferred import number_of
 from plategait.thesis import draw
 from plategait.thesis.cases import DAMPINGS, Case, damping_variant, reference_cases
 from plategait.thesis.fits import Fits, ensemble_spread, published_fits, simulated_fits
@@ -189,7 +190,7 @@ def fig_5_10(spec: Spec, results: Results) -> Item:
         checks=damping_checks(results),
         notes=[
             "The range of η is not printed; 0.25 to 2 is shown. η multiplies the preset's damping, whose c_b is "
-            "ten times the printed one.",
+            f"{number_of('sheet.bending_damping'):g} times the printed one.",
             "What slope there is comes from the soft sheets at low damping, which then run off later and show more of "
             "their peak; α moves b/f0 several times as much.",
         ],
