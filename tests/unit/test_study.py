@@ -6,9 +6,20 @@ import numpy as np
 import pytest
 
 from plategait import InputError, published
+from plategait.campaign.plan import Sweep
+from plategait.campaign.run import sweep
+from plategait.curve.curve import Curve
 from plategait.study import polish, search, source
 from plategait.study.aims import AT_REFERENCE, HAS_FIT, KIND, OF_CURVE, PEAKS, residuals
-from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, printed_values
+from plategait.study.evaluation import (
+    FITS_FROM,
+    Evaluation,
+    base,
+    evaluate,
+    out_of_order,
+    printed_values,
+    short_of_running,
+)
 from plategait.study.inference import backward, smallest, step_with
 from plategait.study.surrogate import learn
 from plategait.study.unknowns import LAWS, NAMES, UNKNOWNS, Choice, choice_at, deviations_of, parameters
@@ -168,15 +179,46 @@ def test_numbers_out_of_range_are_refused(tmp_path):
         source.study_source(tmp_path, first=10)
 
 
-def test_today_s_preset_is_what_the_thesis_runs(tmp_path):
+def test_the_preset_s_curves_are_those_of_the_thesis(tmp_path):
     """The same curves by another way, a campaign's: 44 fits, from 736 runs (some 5 s)."""
     from plategait.thesis.cases import Case
     from plategait.thesis.runs import run_cases, value_of
 
-    made = evaluate([source.todays_preset()], tmp_path, "today")
+    (made,) = evaluate([source.ONE_AT_A_TIME], tmp_path, "today")
     some = [i for i, c in enumerate(CURVES) if c.omega_pi == 10.0 and c.alpha_deg == published.REFERENCE_ALPHA]
     results = run_cases([Case(CURVES[i].angle_deg, 10.0, CURVES[i].alpha_deg) for i in some], repeats=1, seed=0)
     for i in some:
         fit = results[Case(CURVES[i].angle_deg, 10.0, CURVES[i].alpha_deg)].fit
         # Round-off in k_b; the thesis's curves at 3 deg end 0.5 Hz earlier.
         assert made.fits[0, 0, i, 0] == pytest.approx(value_of(fit, "f0_hz"), rel=0.01)
+
+
+def with_gaits(gaits: str, failed: int = 1) -> Curve:
+    """A curve whose points slide, walk and run as the letters say, and that then fails."""
+    names = {"s": "sliding", "w": "walking", "r": "running"}
+    n = len(gaits) + failed
+    return Curve(
+        name="gaits",
+        frequency_hz=np.arange(9.0, 9.0 + n),
+        spin_rate_deg_s=np.arange(1.0, n + 1.0),
+        spin_rate_sd_deg_s=np.ones(n),
+        gait=(*(names[g] for g in gaits), *[""] * failed),
+        failure=("",) * len(gaits) + ("slipped",) * failed,
+    )
+
+
+@pytest.mark.parametrize(
+    ("gaits", "wanted", "short"), [("sswwrr", 0, 0), ("sswrw", 1, 1), ("ssww", 1, 1), ("ssrs", 3, 2)]
+)
+def test_gaits_out_of_order_and_absent_are_counted(gaits, wanted, short):
+    assert out_of_order(with_gaits(gaits)) == wanted
+    # The fastest point is the last before the failure.
+    assert short_of_running(with_gaits(gaits)) == short
+
+
+def test_a_store_tells_each_start_apart(tmp_path):
+    plan = Sweep(scenario=base(), points={"motion.frequency": [14.0, 24.0]}, repeats=3)
+    opened = sweep(plan, tmp_path / "starts.zarr")
+    apart = np.stack([opened.from_start(k).rate for k in range(3)], axis=1)
+    assert len(set(apart[1])) == 3
+    np.testing.assert_allclose(apart.mean(axis=1), opened.outcomes.rate, rtol=1e-12)  # round-off
