@@ -29,6 +29,7 @@ _COMMON: dict[str, tuple[float, str]] = {
     "rad": (1.0, "rad"), "deg": (_DEG, "rad"),
     "Hz": (1.0, "Hz"), "hertz": (1.0, "Hz"), "mHz": (1e-3, "Hz"), "kHz": (1e3, "Hz"), "MHz": (1e6, "Hz"),
     "rad/s": (1.0, "rad/s"), "deg/s": (_DEG, "rad/s"), "rpm": (math.pi / 30, "rad/s"),
+    "turn/s": (2 * math.pi, "rad/s"), "turn/min": (math.pi / 30, "rad/s"), "deg/min": (_DEG / 60, "rad/s"),
     "m/s": (1.0, "m/s"), "mm/s": (1e-3, "m/s"),
     "m/s^2": (1.0, "m/s^2"), "m/s**2": (1.0, "m/s^2"), "m/s²": (1.0, "m/s^2"),
     "mm^2": (1e-6, "m^2"), "cm^2": (1e-4, "m^2"), "m^2": (1.0, "m^2"),

@@ -17,7 +17,7 @@ import pytest
 from plategait.cli import main
 from plategait.errors import InputError
 from plategait.files.input import LARGEST_TABLE, LARGEST_TOML
-from plategait.files.table import MOST_COLUMNS
+from plategait.files.rows import MOST_COLUMNS
 from plategait.model.presets import preset
 from plategait.model.scenario_file import write_scenario
 from plategait.vision.frames import open_video

@@ -74,6 +74,24 @@ def test_estimate_gives_numbers_a_fragment_and_a_picture(tmp_path):
     plategait("simulate", "cheese", "--with", "e.toml", "--duration", "0.2 s", cwd=tmp_path, check=0)
 
 
+def test_a_spreadsheet_s_curve_gives_what_the_plain_one_gives(called, tmp_path):
+    points = [(f, 300 / (1 + ((f - 21) / 3) ** 2)) for f in range(14, 29)]
+    plain = ["frequency_hz,spin_rate_deg_s,failure", *(f"{f},{r:.6f}," for f, r in points), "30,,slipped"]
+    (tmp_path / "plain.csv").write_text("\n".join(plain))
+    excel = ["Hz;rpm;Failed?;note", *(f"{f};{r / 6:.8f};no;hm".replace(".", ",") for f, r in points), "30;;yes;"]
+    (tmp_path / "excel.csv").write_bytes("\r\n".join(excel).encode("utf-16"))
+    fits = [
+        json.loads(called("fit", name, "--json", cwd=tmp_path, check=0).stdout) for name in ("plain.csv", "excel.csv")
+    ]
+    # Eight digits are written.
+    assert fits[1]["f0_hz"] == pytest.approx(fits[0]["f0_hz"], rel=1e-6)
+    assert fits[1]["peak_deg_s"] == pytest.approx(fits[0]["peak_deg_s"], rel=1e-6)
+    assert [bool(fit["notes"]) for fit in fits] == [False, True]
+    (tmp_path / "slip.csv").write_text("\n".join(plain).replace("\n16,", "\n160,"))
+    for command in (["fit"], ["estimate", "--method", "linear"]):
+        assert "is 16 Hz meant?" in called(*command, "slip.csv", cwd=tmp_path).stdout
+
+
 def test_the_linear_method_and_its_refusal(tmp_path):
     lines = [f"{f},{520 / (1 + ((f - 25) / 5.2) ** 2):.2f}" for f in range(14, 29)]
     (tmp_path / "c.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *lines]))
@@ -99,13 +117,13 @@ def test_the_linear_method_and_its_refusal(tmp_path):
         (("c.csv", "--free", "colour"), "--free"), (("c.csv", "--angle", "3 deg", "--angle", "12 deg"), "--angle"),
         (("none.csv",), "none.csv"), (("one.csv",), "at least 3"), (("c.csv", "--method", "magic"), "--method"),
         (("c.csv", "--confidence", "2"), "confidence"), (("c.csv", "--out", "e.txt"), "--out"),
-        (("nan.csv",), "line 3"), (("c.csv", "--with", "none.toml"), "none.toml"),
+        (("inf.csv",), "line 3"), (("c.csv", "--with", "none.toml"), "none.toml"),
     ],
 )  # fmt: skip
 def test_bad_estimates_are_one_line(called, tmp_path, arguments, named):
     (tmp_path / "c.csv").write_text(CURVE)
     (tmp_path / "one.csv").write_text("frequency_hz,spin_rate_deg_s\n13,52\n")
-    (tmp_path / "nan.csv").write_text("frequency_hz,spin_rate_deg_s\n13,52\n14,nan\n15,60\n")
+    (tmp_path / "inf.csv").write_text("frequency_hz,spin_rate_deg_s\n13,52\n14,inf\n15,60\n")
     done = called("estimate", *arguments, cwd=tmp_path, check=2)
     assert named in done.stderr
     assert len(done.stderr.splitlines()) == 1

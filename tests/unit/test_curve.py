@@ -96,7 +96,7 @@ def test_frequencies_that_each_carry_their_unit():
 finite = st.floats(-1e6, 1e6)
 points = st.lists(
     st.tuples(
-        st.floats(1e-3, 1e5), finite | st.just(math.nan), st.floats(0, 1e6) | st.just(math.nan),
+        st.floats(1e-3, 1e5), finite | st.just(math.nan), st.floats(1e-6, 1e6) | st.just(math.nan),
         st.sampled_from(["", *GAITS]), st.sampled_from(["", *FAILURES]),
     ),
     min_size=1,
@@ -149,7 +149,7 @@ def test_points_that_failed_in_part_come_back_as_such(tmp_path):
 def test_runs_that_contradict_each_other_are_refused(tmp_path, row, field):
     with pytest.raises(InputError) as caught:
         read_text(tmp_path, f"frequency_hz,spin_rate_deg_s,failure,runs,failed_runs\n12,3,{row}\n")
-    assert caught.value.field == field
+    assert caught.value.field == f"c.csv line 2, {field}"
 
 
 @pytest.mark.parametrize("name", ["c.txt", "c", "missing/c.csv"])
@@ -190,9 +190,8 @@ def test_blank_cells_are_points_without_knowledge(tmp_path):
 @pytest.mark.parametrize(
     "text",
     ["", "\n", HEAD, "a,b\n1,2\n", "frequency_hz\n12\n", bytes(range(256)),
-     (HEAD + "12,3\n").encode("utf-16"), HEAD + '12,"' + "1" * 200_000 + '"\n'],
-    ids=["empty", "blank", "no rows", "wrong columns", "a column short", "binary", "utf-16",
-         "endless cell"],
+     HEAD + '12,"' + "1" * 200_000 + '"\n'],
+    ids=["empty", "blank", "no rows", "wrong columns", "a column short", "binary", "endless cell"],
 )  # fmt: skip
 def test_files_that_are_no_curve_are_refused(tmp_path, text):
     with pytest.raises(InputError) as caught:
@@ -207,7 +206,6 @@ def test_files_that_are_no_curve_are_refused(tmp_path, text):
     [
         ("12,fast\n", 2, "spin_rate_deg_s"),
         ("12,3\n13,x\n", 3, "spin_rate_deg_s"),
-        ("12,nan\n", 2, "spin_rate_deg_s"),
         ("12,inf\n", 2, "spin_rate_deg_s"),
         ("12,1e999\n", 2, "spin_rate_deg_s"),
         ("-12,3\n", 2, "frequency_hz"),

@@ -188,6 +188,8 @@ def test_two_numbers_are_no_number(first, second, joint):
         (ANGULAR_FREQUENCY, "5 hertz", 10 * math.pi),
         (ANGULAR_FREQUENCY, "5000 mHz", 10 * math.pi),
         (ANGULAR_FREQUENCY, "60 rpm", 2 * math.pi),
+        (ANGULAR_FREQUENCY, "0.5 turn/s", math.pi),
+        (ANGULAR_FREQUENCY, "60 turn/min", 2 * math.pi),
         (FREQUENCY, "60 rpm", 1.0),
         (FREQUENCY, "360 deg/s", 1.0),
         (FREQUENCY, "24 turn/s", 24.0),

@@ -61,8 +61,9 @@ def fit(
     result = fit_curve(read_curve(curve_file))
     _plot_curve(result, plot)
     if as_json:
-        report.print_json(fit_summary(result.fit) | {"no_fit": result.no_fit or None})
+        report.print_json(fit_summary(result.fit) | {"no_fit": result.no_fit or None, "notes": list(result.notes)})
     else:
+        report.print_notes(result.notes)
         report.print_fit(result.fit, result.no_fit)
     raise typer.Exit(0 if result.fit else 1)
 

@@ -111,7 +111,11 @@ def _linear(
     result = estimate_linear(fit.fit, base, method=method, coefficients=coefficients)
     if output.out and not result.refused:
         write_fragment(result.to_fragment(base), output.out)
-    report.print_json(result.summary()) if output.as_json else estimate_report.print_linear(result)
+    if output.as_json:
+        report.print_json(result.summary() | {"notes": list(fit.notes)})
+    else:
+        report.print_notes(fit.notes)
+        estimate_report.print_linear(result)
     raise typer.Exit(1 if result.refused else 0)
 
 

@@ -44,8 +44,7 @@ def print_estimate(result: Estimate, plan: Plan | None) -> None:
     report.print_table(title, ["", "± one sd", f"{100 * result.confidence:g} % interval"], rows)
     for a, b, r in correlated(result):
         print(f"{_LABELS[a]} and {_LABELS[b]} are correlated: {r:+.2f}")
-    for note in result.posterior.data.notes:
-        print(note)
+    report.print_notes(result.posterior.data.notes)
     if result.goodness.outliers:
         print(f"probably outliers, left out in effect: {', '.join(f'{f:g}' for f in result.goodness.outliers)} Hz")
     for complaint in result.goodness.complaints:

@@ -7,7 +7,7 @@ import math
 import statistics
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -44,6 +44,12 @@ def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
         table.add_row(*(escape(printable(cell)) for cell in row))
     # A pipe has no width: leave room enough that nothing is folded.
     Console(width=None if sys.stdout.isatty() else 120).print(table)
+
+
+def print_notes(notes: Iterable[str]) -> None:
+    """Print a line for each thing to know of what was read."""
+    for note in notes:
+        print(printable(note, 1000))
 
 
 def _number(value: float | None, unit: str = "", digits: int = 1) -> str:

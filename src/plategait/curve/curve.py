@@ -43,6 +43,8 @@ class Curve:
         Angular amplitude A_p of each point, where the file tells it.
     values : mapping of str to (n,) array
         Observables by name (`plategait.simulation.registry`), SI, where they are known.
+    notes : tuple of str
+        What the file that it was read from has that nothing reads, or that is probably not meant.
     """
 
     name: str
@@ -58,6 +60,7 @@ class Curve:
     runs: Array | None = None
     failed_runs: Array | None = None
     values: Mapping[str, Array] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     @property
     def failed(self) -> Flags:

@@ -4,29 +4,41 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plategait.curve.curve import Curve
+from plategait.curve.oddities import lone_frequencies, unread_columns
+from plategait.curve.outcome import UNTOLD, Outcome, read_outcome
 from plategait.errors import InputError
+from plategait.files.headings import Column
 from plategait.files.output import whole_file
-from plategait.files.table import Column, read_table
-from plategait.simulation.observables import GAITS
+from plategait.files.table import Table, read_table
+from plategait.simulation.observables import FAILURES, GAITS
 from plategait.simulation.registry import all_observables
 
 COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure", "runs", "failed_runs")
 """Of every file; observables follow."""
-_MEASURED = {
-    "frequency": Column("Hz", above=0.0),
-    "spin_rate": Column("rad/s", "deg/s", blank=True),
-    "spin_rate_sd": Column("rad/s", "deg/s", required=False, at_least=0.0),
-    "angle": Column("rad", "deg", required=False, above=0.0),
+# With the names that people give them.
+_NUMBERS = {
+    "frequency": Column("Hz", above=0.0, by_unit=True,
+                        also=("freq", "f", "plate_frequency", "plate_freq", "drive_frequency", "frequenz")),
+    "spin_rate": Column("rad/s", "deg/s", blank=True, by_unit=True,
+                        also=("rate", "spin", "rotation_rate", "spin_speed", "omega", "drehrate", "drehzahl")),
+    "spin_rate_sd": Column("rad/s", "deg/s", required=False, above=0.0,
+                           also=("spin_rate_std", "rate_sd", "rate_std", "spin_sd", "sd", "std", "sigma", "±", "+/-")),
+    "angle": Column("rad", "deg", required=False, above=0.0,
+                    also=("plate_angle", "angular_amplitude", "angle_amplitude", "a_p", "ap")),
     "runs": Column("", required=False, at_least=1.0),
     "failed_runs": Column("", required=False, at_least=0.0),
-}
+}  # fmt: skip
+_WORDS = {
+    "gait": ("gaits",),
+    "failure": ("failed", "fail", "fails", "status", "state", "outcome", "result", "ran_off", "run_off", "runoff",
+                "fell_off"),
+}  # fmt: skip
 
 
 def as_curve(curve: Curve | Path | str, field: str = "curve") -> Curve:
@@ -52,7 +64,9 @@ def write_curve(curve: Curve, path: Path | str) -> None:
         writer.writerow([*COLUMNS, *(observable.heading for observable, _ in observables)])
         unknown = np.full(len(curve.failure), math.nan)
         runs, failed = (unknown if x is None else x for x in (curve.runs, curve.failed_runs))
-        columns = (curve.frequency_hz, curve.spin_rate_deg_s, curve.spin_rate_sd_deg_s, curve.gait, curve.failure,
+        # Runs that agree to the last digit show no spread; none is known of the measurement.
+        sd = np.where(curve.spin_rate_sd_deg_s > 0, curve.spin_rate_sd_deg_s, math.nan)
+        columns = (curve.frequency_hz, curve.spin_rate_deg_s, sd, curve.gait, curve.failure,
                    runs, failed, *(observable.scale * values for observable, values in observables))  # fmt: skip
         for row in zip(*columns, strict=True):
             writer.writerow([v if isinstance(v, str) else f"{v:.10g}" if math.isfinite(v) else "" for v in row])
@@ -61,41 +75,73 @@ def write_curve(curve: Curve, path: Path | str) -> None:
 def read_curve(path: Path | str) -> Curve:
     """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known the other `COLUMNS`, angle_deg, observables.
 
-    Other units in the headings are read as well (see `plategait.files.table`). Empty cells are points without that
-    knowledge.
+    Other units and names in the headings are read as well (see `plategait.files.table`), and what people write for a
+    failure (`plategait.curve.outcome`). Empty cells are points without that knowledge. What is odd but may be meant is
+    among the curve's notes.
 
     Raises
     ------
     InputError
-        When the file cannot be read, lacks a column, or holds what is no number; names the line.
+        When the file cannot be read, lacks a column, has one that only looks like one of these, or holds what is no
+        number; names the line.
     """
     observables = {o.name: Column(o.unit.removeprefix("1"), required=False) for o in all_observables().values()}
-    table = read_table(
-        path, _MEASURED | observables, text=("gait", "failure"), field="curve", example="frequency_hz,spin_rate_deg_s"
-    )
-    gait = table.text["gait"]
-    if unknown := set(gait) - {"", *GAITS}:
-        raise InputError("gait", unknown.pop(), f"one of {', '.join(GAITS)}, or empty", "walking")
+    columns = _NUMBERS | observables
+    table = read_table(path, columns, text=_WORDS, field="curve", example="frequency_hz,spin_rate_deg_s")
+    names = {n: name for name, column in columns.items() for n in (name, *column.also)}
+    names |= {n: name for name, also in _WORDS.items() for n in (name, *also)}
+    file = table.path.name
+    notes = [unread_columns(file, table.unread, names, {*table.numbers, *table.text})]
+    notes += [f"{file}: taken in {columns[n].wanted}, as its heading tells no unit: {heading}"
+              for n, heading in table.unitless.items()]  # fmt: skip
+    notes += lone_frequencies(file, table["frequency"], table.lines)
     empty = np.full(len(table), math.nan)
     runs, failed_runs = table.get("runs", empty), table.get("failed_runs", empty)
-    _check_runs(runs, failed_runs, table.text["failure"])
+    outcomes = _outcomes(table, failed_runs)
+    _check_runs(table, runs, failed_runs, outcomes)
     return Curve(
         name=table.path.stem,
         frequency_hz=table["frequency"],
         spin_rate_deg_s=table["spin_rate"],
         spin_rate_sd_deg_s=table.get("spin_rate_sd", empty),
-        gait=gait,
-        failure=table.text["failure"],
+        gait=tuple(o.gait for o in outcomes),
+        failure=tuple(o.failure for o in outcomes),
         angle_deg=table.numbers.get("angle"),
         runs=runs,
         failed_runs=failed_runs,
         values={name: table[name] for name in observables if name in table.numbers},
+        notes=tuple(filter(None, notes)),
     )
 
 
-def _check_runs(runs: NDArray[np.float64], failed: NDArray[np.float64], failure: Sequence[str]) -> None:
+def _outcomes(table: Table, failed_runs: NDArray[np.float64]) -> list[Outcome]:
+    """What the object did at each point, by its gait, its failure, or the number of runs that failed."""
+    nothing = ("",) * len(table)
+    if "failure" in table.text:
+        failure = [_outcome(table, i, "failure", cell) for i, cell in enumerate(table.text["failure"])]
+    else:
+        failure = [Outcome(failure=UNTOLD * bool(failed > 0)) for failed in failed_runs]
+    outcomes = []
+    for i, (cell, other) in enumerate(zip(table.text.get("gait", nothing), failure, strict=True)):
+        own = _outcome(table, i, "gait", cell)
+        outcomes.append(Outcome(own.gait or other.gait, other.failure or own.failure))
+    return outcomes
+
+
+def _outcome(table: Table, i: int, column: str, cell: str) -> Outcome:
+    """What one cell says."""
+    outcome = read_outcome(cell, answers=column == "failure")
+    if outcome is None:
+        allowed = f"one of {', '.join(GAITS)}, or empty" if column == "gait" else (
+            f"yes, no, empty or what happened: {', '.join(FAILURES)}")  # fmt: skip
+        hint = GAITS[1] if column == "gait" else "yes"
+        raise InputError(f"{table.path.name} line {table.lines[i]}, {column}", cell, allowed, hint)
+    return outcome
+
+
+def _check_runs(table: Table, runs: NDArray[np.float64], failed: NDArray[np.float64], outcomes: list[Outcome]) -> None:
     """Refuse numbers of runs that cannot be, or that a failure contradicts."""
-    has_failure = np.array([bool(kind) for kind in failure], dtype=bool)
+    has_failure = np.array([bool(o.failure) for o in outcomes], dtype=bool)
     wrong = (np.isnan(runs) != np.isnan(failed)) | (failed > runs) | (runs % 1 > 0) | (failed % 1 > 0)
     for field, odd, allowed in (
         ("failed_runs", wrong, "whole, at most the runs of the point, and given where they are"),
@@ -107,5 +153,6 @@ def _check_runs(runs: NDArray[np.float64], failed: NDArray[np.float64], failure:
     ):
         if odd.any():
             i = int(np.argmax(odd))
-            got = f"{failure[i] or 'nothing'} at {failed[i]:g} of {runs[i]:g} runs"
-            raise InputError(field, got, allowed, "leaving runs and failed_runs out")
+            got = f"{outcomes[i].failure or 'nothing'} at {failed[i]:g} of {runs[i]:g} runs"
+            where = f"{table.path.name} line {table.lines[i]}, {field}"
+            raise InputError(where, got, allowed, "leaving runs and failed_runs out")

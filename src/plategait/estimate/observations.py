@@ -56,7 +56,7 @@ class Observations:
     failed : (n,) bool array
         Whether the object ran off, folded or left the plate.
     notes : tuple of str
-        What was left out, and why.
+        What was left out, and why, and what of the files is odd.
     """
 
     conditions: tuple[Condition, ...]
@@ -107,6 +107,7 @@ def observe_curves(curves: Sequence[Curve], motions: Sequence[PlateMotion]) -> O
     points: list[tuple[Condition, float, float, bool]] = []
     notes: list[str] = []
     for curve, motion in zip(curves, motions, strict=True):
+        notes += curve.notes
         failed = curve.failed
         first = float(curve.frequency_hz[failed].min(initial=math.inf))
         turn = -1.0 if np.nansum(curve.spin_rate_deg_s[~failed]) < 0 else 1.0

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pydantic import Field, field_validator, model_validator
 
 from plategait.errors import InputError
-from plategait.files.table import read_rows
+from plategait.files.rows import read_rows
 from plategait.model.base import Model
 from plategait.units import ANGLE, PLATE_ANGLE, PLATE_STROKE, STROKE, Angle, Delay, Frequency, Offset, Quantity, Ratio
 

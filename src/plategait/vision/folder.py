@@ -14,7 +14,7 @@ import numpy as np
 from plategait.curve.curve import Curve
 from plategait.curve.protocol import USUAL
 from plategait.errors import InputError
-from plategait.files.table import read_rows
+from plategait.files.rows import read_rows
 from plategait.vision.setup import Setup
 from plategait.vision.track import Track, track
 
