@@ -260,9 +260,9 @@ def answers(files) -> dict[str, object]:
         "plategait.campaign.run.sweep": open_sweep(files / "done.zarr"),
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
         "plategait.study.source.study_source": SourceStudy(
-            learnt=Learnt(Evaluation((Choice({}),), np.empty(0), np.empty(0)), ()),
-            steps=(Step((), "thesis", np.zeros(len(UNKNOWNS)), 1.0, 1.0),),
-            chosen=Step((), "thesis", np.zeros(len(UNKNOWNS)), 1.0, 1.0),
+            learnt=Learnt(Evaluation((Choice({}),), np.ones((1, 3, 44, 3)), np.ones(1), np.zeros((1, 5))), ()),
+            steps=(Step((), "thesis", np.zeros(len(UNKNOWNS)), 1.0),),
+            chosen=Step((), "thesis", np.zeros(len(UNKNOWNS)), 1.0),
             by_seed=(),
             samples=np.zeros((2, len(UNKNOWNS))),
             told=(),

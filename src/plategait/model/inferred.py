@@ -1,6 +1,7 @@
 """What the presets take beyond what the dissertation prints: few numbers, the same for all its objects and motions.
 
-`plategait study source` infers them; docs/studies.md tells how, and what they explain.
+Each was found by varying it alone (docs/fidelity.md); docs/studies.md tells what `plategait study source` finds of all
+unknowns together.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ class Departure:
     number : float
         Value, SI; or factor on the parameter `of`.
     interval : tuple of float
-        90 % of its posterior.
+        90 % of its posterior where all unknowns are found together, which this number need not lie in.
     why : str
     of : str, optional
         Dotted name of the parameter that it multiplies.
@@ -47,13 +48,13 @@ class Departure:
         low, high = (f"{end / self.scale:.2g}" for end in self.interval)
         what = f"{self.number / self.scale:g}{self.unit and ' ' + self.unit}"
         factor = f" times {self.of} as printed" if self.of else ""
-        return f"{what}{factor} (90 %: {low} to {high}), {self.why}; docs/studies.md"
+        return f"{what}{factor}, {self.why} ({low} to {high} where all unknowns are found together: docs/studies.md)"
 
 
 DEPARTURES = (
-    Departure("sheet.bending_damping", 10.0, (3.0, 12.0),
+    Departure("sheet.bending_damping", 10.0, (2.0, 4.3),
               "for the damping that the source's implicit solver adds", of="sheet.bending_damping"),
-    Departure("motion.height", 7e-3, (5e-3, 12e-3), "the plate lies on the bar", unit="mm", scale=1e-3),
+    Departure("motion.height", 7e-3, (3.3e-3, 6.7e-3), "as the plate lies on the bar", unit="mm", scale=1e-3),
 )  # fmt: skip
 """In the order in which they are applied."""
 NOTES = {departure.name: departure.note for departure in DEPARTURES}

@@ -22,9 +22,7 @@ def draw_departures(study: SourceStudy) -> Figure:
     axes.plot(count, [s.misfit for s in study.steps], "o--", color=BLUE, mfc="white", ms=5, label="misfit")
     axes.plot(count, [s.criterion for s in study.steps], "o-", color=BLUE, ms=5, label="misfit and k ln n")
     for number, (less, more) in enumerate(zip(study.steps, study.steps[1:], strict=False), start=1):
-        names = " ".join(
-            sorted(set(more.free) - set(less.free)) + [f"-{n}" for n in sorted(set(less.free) - set(more.free))]
-        )
+        names = ", ".join(sorted({*more.free} - {*less.free}))
         axes.annotate(names, (number, more.criterion), (0, 8), textcoords="offset points", rotation=60, fontsize=7)
     axes.plot(len(study.chosen.free), study.chosen.criterion, "*", color="black", ms=13, label="chosen")
     label_axes(axes, "departures from what is printed", "sum of squared deviations")
