@@ -6,7 +6,6 @@ unknowns together.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 from plategait.model.parameters import value_of, with_values
@@ -56,14 +55,13 @@ DEPARTURES = (
               "for the damping that the source's implicit solver adds", of="sheet.bending_damping"),
     Departure("motion.height", 7e-3, (3.3e-3, 6.7e-3), "as the plate lies on the bar", unit="mm", scale=1e-3),
 )  # fmt: skip
-"""In the order in which they are applied."""
 NOTES = {departure.name: departure.note for departure in DEPARTURES}
 """Remarks by dotted name."""
 
 
-def with_departures(printed: Scenario, departures: Sequence[Departure] = DEPARTURES) -> Scenario:
+def with_departures(printed: Scenario) -> Scenario:
     """Scenario with the inferred numbers in place of what is printed."""
-    values = {d.name: d.number * (float(value_of(printed, d.of)) if d.of else 1.0) for d in departures}
+    values = {d.name: d.number * (float(value_of(printed, d.of)) if d.of else 1.0) for d in DEPARTURES}
     return with_values(printed, values)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from plategait import published
 from plategait.arrays import Array, Flags
-from plategait.study.evaluation import OUTPUTS, Evaluation, is_reference
+from plategait.study.evaluation import N_GAITS, OUTPUTS, Evaluation, is_reference
 
 CURVES = published.curves()
 MAY_MISS = {"f0_hz": 0.03, "b_over_f0": 0.15, "peak": 0.10, "r2": 0.05, "line": 0.15}
@@ -96,7 +96,7 @@ def residuals_of(evaluation: Evaluation, fit_from: int) -> Residuals:
 N_CURVES = len(CURVES)
 _LINES = [kind for _ in published.AMPLITUDES for kind in ("R² of ω_n", "line", "line", "R² of α", "line", "line")]
 _BY_CURVE = [kind for kind in ("f0", "b/f0", "no fit") for _ in CURVES]
-KIND = np.array([*_BY_CURVE, *["peak"] * len(PEAKS), *_LINES, "12 Hz", *["gaits"] * 5])
+KIND = np.array([*_BY_CURVE, *["peak"] * len(PEAKS), *_LINES, "12 Hz", *["gaits"] * N_GAITS])
 """What each aim is about."""
 OF_CURVE = (KIND == "f0") | (KIND == "b/f0")
 """Aims of single curves: their numbers."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -148,7 +148,7 @@ def _fits(points: Ensemble, n_choices: int) -> tuple[Array, Array, Array]:
     """Fits, rates at 12 deg and 12 Hz, and gaits (see `Evaluation`) of the points of a store."""
     curves = published.curves()
     fits = np.full((n_choices, len(FITS_FROM), len(curves), len(OUTPUTS)), math.nan)
-    at_12, gaits, first = np.full(n_choices, math.nan), np.zeros((n_choices, 5)), 0
+    at_12, gaits, first = np.full(n_choices, math.nan), np.zeros((n_choices, N_GAITS)), 0
     for i in range(n_choices):
         for j, published_curve in enumerate(curves):
             frequencies = FREQUENCIES[published_curve.angle_deg]
@@ -169,6 +169,8 @@ def _fits(points: Ensemble, n_choices: int) -> tuple[Array, Array, Array]:
 
 GAIT_OBJECTS = sorted({c.omega_pi for c in published.curves() if c.angle_deg == 12})
 """ω_n of the objects whose gaits are looked at, π rad/s."""
+N_GAITS = len(GAIT_OBJECTS) + 1
+"""Numbers that tell the gaits of a choice: one of each object, and of the fastest point of Table 4.1's."""
 
 
 def out_of_order(curve: Curve) -> float:
@@ -211,13 +213,8 @@ def _fit(curve: Curve, start: float) -> Shape | None:
 
 def joined(*evaluations: Evaluation) -> Evaluation:
     """Several evaluations as one."""
-    first, *others = evaluations
-    for other in others:
-        first = replace(
-            first,
-            choices=first.choices + other.choices,
-            fits=np.concatenate([first.fits, other.fits]),
-            at_12=np.concatenate([first.at_12, other.at_12]),
-            gaits=np.concatenate([first.gaits, other.gaits]),
-        )
-    return first
+    choices = tuple(choice for each in evaluations for choice in each.choices)
+    fits, at_12, gaits = (
+        np.concatenate([getattr(e, name) for e in evaluations]) for name in ("fits", "at_12", "gaits")
+    )
+    return Evaluation(choices, fits, at_12, gaits)

@@ -16,7 +16,7 @@ from plategait.study.unknowns import NAMES
 
 ROUNDS = 3
 STARTS = 3
-"""Starts of each run beside the nominal one: one start's loss has a standard deviation of 15 to 50."""
+"""Starts of each run beside the nominal one: one start's loss has a standard deviation of 5 to 50."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,6 +25,8 @@ from plategait.study.unknowns import LAWS, UNKNOWNS, Choice, choice_at, deviatio
 
 FARTHEST = 2.5
 """Deviations of the priors beyond which nothing is tried."""
+LOWEST = np.array([0.0 if unknown.one_sided else -FARTHEST for unknown in UNKNOWNS])
+"""Least deviation of each unknown that is tried."""
 WALKERS, STEPS, BURNT = 64, 1500, 500
 POPULATION, STEP = 16, 0.5
 """Of a generation, and how far the first goes from the best choice, in deviations of the priors."""
@@ -75,8 +77,12 @@ _FITS = N_CURVES * len(OUTPUTS)
 
 def standardised(choices: Sequence[Choice]) -> Array:
     """(n, d + 1) deviations of the priors, and the law as ±1."""
-    law = np.array([1.0 if choice.law == LAWS[1] else -1.0 for choice in choices])
-    return np.column_stack([np.stack([deviations_of(choice) for choice in choices]), law])
+    signs = [_sign(choice.law) for choice in choices]
+    return np.column_stack([np.stack([deviations_of(choice) for choice in choices]), signs])
+
+
+def _sign(law: str) -> float:
+    return 1.0 if law == LAWS[1] else -1.0
 
 
 def learnt(evaluation: Evaluation, used: Flags | None = None) -> Learnt:
@@ -107,52 +113,31 @@ def spread(count: int, seed: int) -> list[Choice]:
 
 
 def prior(z: Array) -> Array:
-    """(n,) squared deviations (n, d) of the priors; infinite where a one-sided unknown is below the printed value."""
-    one_sided = np.array([unknown.one_sided for unknown in UNKNOWNS])
-    outside = (np.abs(z) > FARTHEST).any(axis=1) | (z[:, one_sided] < 0).any(axis=1)
+    """(n,) squared deviations (n, d) of the priors; infinite where nothing is tried."""
+    outside = ((z > FARTHEST) | (z < LOWEST)).any(axis=1)
     return np.where(outside, np.inf, (z**2).sum(axis=1))
 
 
-def posterior(
-    found: Learnt, law: str, seed: int, used: Flags | None = None, free: Flags | None = None
-) -> tuple[Array, Array]:
-    """Samples (n, d) of the unknowns' deviations under one law, and the misfit of each.
-
-    Parameters
-    ----------
-    used : (aims,) bool array, optional
-        Aims that count; all by default.
-    free : (d,) bool array, optional
-        Unknowns that may depart from the printed value; all by default.
-    """
+def posterior(found: Learnt, law: str, seed: int) -> Array:
+    """Samples (n, d) of the unknowns' deviations under one law."""
     import emcee
 
     d = len(UNKNOWNS)
-    free = np.ones(d, dtype=bool) if free is None else free
-    sign = 1.0 if law == LAWS[1] else -1.0
-
-    def whole(z: Array) -> Array:
-        full = np.zeros((len(z), d))
-        full[:, free] = z
-        return full
 
     def log_probability(z: Array) -> Array:
-        full = whole(z)
-        weight = prior(full)
+        weight = prior(z)
         inside = np.isfinite(weight)
         value = np.full(len(z), -np.inf)
         if inside.any():
-            x = np.column_stack([full[inside], np.full(inside.sum(), sign)])
-            value[inside] = -0.5 * (found.misfit(x, used) + weight[inside])
+            x = np.column_stack([z[inside], np.full(inside.sum(), _sign(law))])
+            value[inside] = -0.5 * (found.misfit(x) + weight[inside])
         return value
 
-    rng = np.random.default_rng(seed)
-    start = np.minimum(np.abs(rng.normal(0, 1, (WALKERS, int(free.sum())))), FARTHEST)
-    sampler = emcee.EnsembleSampler(WALKERS, int(free.sum()), log_probability, vectorize=True)
+    start = np.minimum(np.abs(np.random.default_rng(seed).normal(0, 1, (WALKERS, d))), FARTHEST)
+    sampler = emcee.EnsembleSampler(WALKERS, d, log_probability, vectorize=True)
     sampler.random_state = np.random.RandomState(seed).get_state()
     sampler.run_mcmc(start, STEPS)
-    samples = whole(np.asarray(sampler.get_chain(discard=BURNT, thin=10, flat=True)))
-    return samples, found.misfit(np.column_stack([samples, np.full(len(samples), sign)]), used)
+    return np.asarray(sampler.get_chain(discard=BURNT, thin=10, flat=True))
 
 
 def best(
@@ -168,8 +153,7 @@ def best(
     guesses : sequence of (d,) array
         Deviations to go down from, beside those of the evaluation of least loss.
     """
-    sign = 1.0 if law == LAWS[1] else -1.0
-    low = np.array([0.0 if unknown.one_sided else -FARTHEST for unknown in UNKNOWNS])[free]
+    sign, low = _sign(law), LOWEST[free]
 
     def whole(z: Array) -> Array:
         full = np.zeros(len(UNKNOWNS))
@@ -223,8 +207,8 @@ def search(
     folder: Path,
     seed: int,
     *,
-    first: int = 48,
-    generations: int = 5,
+    first: int,
+    generations: int,
     dask: object = None,
     progress: Callable[[float], object] | None = None,
 ) -> Learnt:
@@ -277,10 +261,9 @@ def _strategy(z: Array, seed: int) -> Any:
             "study", "no package cma", "an installation with it", 'pip install "plategait[optimize]"'
         ) from None
     rng = np.random.default_rng(seed)
-    low = [0.0 if unknown.one_sided else -FARTHEST for unknown in UNKNOWNS]
-    inside = np.clip(z, np.array(low) + 0.05, FARTHEST - 0.05)
+    inside = np.clip(z, LOWEST + 0.05, FARTHEST - 0.05)
     options = {
-        "bounds": [low, [FARTHEST] * len(UNKNOWNS)],
+        "bounds": [LOWEST.tolist(), [FARTHEST] * len(UNKNOWNS)],
         "popsize": POPULATION,
         "randn": lambda *shape: rng.standard_normal(shape),
         "seed": np.nan,

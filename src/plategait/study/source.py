@@ -12,7 +12,7 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.study.aims import KIND, residuals
+from plategait.study.aims import KIND, residuals_of
 from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, joined
 from plategait.study.inference import HALVES, OutOfSample, Step, deviations_of_curves, step_with
 from plategait.study.polish import ROUNDS, polish
@@ -135,7 +135,7 @@ def _deviations(told: Told) -> dict[str, float]:
 
 
 ONE_AT_A_TIME = Choice({"height": 7e-3, "c_b factor": 10.0, "slip limit": 0.02})
-"""What the presets took before: a plate height and a damping, each found by varying it alone."""
+"""A plate height and a damping, each found by varying it alone, as the presets take them (docs/fidelity.md)."""
 
 
 def study_source(
@@ -195,7 +195,7 @@ def study_source(
         polished.steps,
         polished.chosen,
         tuple(by_seed),
-        posterior(found, law, seed=0)[0],
+        posterior(found, law, seed=0),
         told,
         tuple(
             OutOfSample(name, *deviations_of_curves(by_name[f"found on {name}"].fits[0], members))
@@ -226,9 +226,9 @@ def tell(
 
 
 def _told(name: str, made: Sequence[Evaluation], i: int) -> Told:
-    one = [m.only(i) for m in made]
-    fits, at_12, gaits = (np.concatenate([getattr(m, name) for m in one]) for name in ("fits", "at_12", "gaits"))
-    aims = [residuals(fits[:, k], at_12, gaits) for k in range(len(FITS_FROM))]
+    starts = joined(*(m.only(i) for m in made))
+    fits = starts.fits
+    aims = [residuals_of(starts, k) for k in range(len(FITS_FROM))]
     loss = np.array([a.loss() for a in aims])
     squares = (aims[0].values ** 2).mean(axis=0)
     with warnings.catch_warnings():
@@ -236,7 +236,7 @@ def _told(name: str, made: Sequence[Evaluation], i: int) -> Told:
         warnings.simplefilter("ignore", RuntimeWarning)
         middle = np.nanmedian(fits, axis=0)
     return Told(
-        name, made[0].choices[i], middle, float(np.isnan(fits[:, 0, :, 0]).sum(axis=1).mean()), float(np.mean(at_12)),
-        loss.mean(axis=1), float(loss.mean(axis=0).std(ddof=1)),
+        name, made[0].choices[i], middle, float(np.isnan(fits[:, 0, :, 0]).sum(axis=1).mean()),
+        float(np.mean(starts.at_12)), loss.mean(axis=1), float(loss.mean(axis=0).std(ddof=1)),
         {str(kind): float(squares[kind == KIND].sum()) for kind in dict.fromkeys(KIND)},
     )  # fmt: skip
