@@ -208,7 +208,7 @@ def with_gaits(gaits: str, failed: int = 1) -> Curve:
 
 
 @pytest.mark.parametrize(
-    ("gaits", "wanted", "short"), [("sswwrr", 0, 0), ("sswrw", 1, 1), ("ssww", 1, 1), ("ssrs", 3, 2)]
+    ("gaits", "wanted", "short"), [("sswwrr", 0, 0), ("sswrw", 1, 3), ("ssww", 3, 3), ("ssrs", 5, 6)]
 )
 def test_gaits_out_of_order_and_absent_are_counted(gaits, wanted, short):
     assert out_of_order(with_gaits(gaits)) == wanted

@@ -11,6 +11,7 @@ import typer
 from plategait.cli import options, report
 from plategait.cli.command import Command
 from plategait.files.output import write_whole
+from plategait.study.defaults import FIRST, GENERATIONS, SEEDS
 
 if TYPE_CHECKING:
     from plategait.study.source import SourceStudy
@@ -26,11 +27,11 @@ def _studies() -> None:
 @study.command(cls=Command)
 def source(
     out: Annotated[Path, typer.Option("--out", help="Folder for stores, figures and source.json.")] = Path("source"),
-    seeds: Annotated[int, typer.Option("--seeds", help="Independent searches.", min=1)] = 3,
-    evaluations: Annotated[int, typer.Option("--evaluations", help="Of each search over the priors.", min=32)] = 48,
+    seeds: Annotated[int, typer.Option("--seeds", help="Independent searches.", min=1)] = SEEDS,
+    evaluations: Annotated[int, typer.Option("--evaluations", help="Of each search over the priors.", min=32)] = FIRST,
     generations: Annotated[
         int, typer.Option("--generations", help="Of 16 evaluations each, from the best of them.", min=0)
-    ] = 5,
+    ] = GENERATIONS,
     dask: Annotated[str | None, typer.Option("--dask", help="Run on the Dask cluster at this address.")] = None,
     as_json: options.Json = False,
 ) -> None:

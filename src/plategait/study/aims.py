@@ -53,7 +53,7 @@ def residuals(
     at_12 : (n,) array
         Rate at A_p = 12 deg and 12 Hz, deg/s; NaN where it fails.
     gaits : (n, 5) array
-        See `plategait.study.evaluation.Evaluation`: each point out of order and each gait absent is one.
+        See `plategait.study.evaluation.Evaluation`: each is a deviation.
     uncertainty : (curves, outputs) array, optional
         Of the fits, relative, where they come from a surrogate: added in quadrature to what they may miss.
     missing : (n, curves) array, optional

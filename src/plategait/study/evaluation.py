@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,7 @@ from plategait.model.scenario import Scenario
 from plategait.published import FRICTION_RATIO, PublishedCurve
 from plategait.simulation.ensemble import Ensemble
 from plategait.simulation.observables import GAITS
+from plategait.study.progress import Progress, part
 from plategait.study.unknowns import Choice, parameters
 
 FREQUENCIES = {3: tuple(np.arange(13.0, 32.0, 1.0)), 12: tuple(np.arange(9.0, 16.0, 0.5))}
@@ -47,8 +48,9 @@ class Evaluation:
     at_12 : (choices,) array
         Spin rate of Table 4.1's sheet at A_p = 12 deg and 12 Hz, deg/s (section 4.3); NaN where it fails.
     gaits : (choices, 5) array
-        Points out of the order of sliding, walking and running, and gaits that are absent, of the four objects of A_p =
-        12 deg at the reference friction angle, softest first; and how far from running Table 4.1's is at its fastest.
+        Points out of the order of sliding, walking and running, and `ABSENT` for each gait that is missing, of the four
+        objects of A_p = 12 deg at the reference friction angle, softest first; and as much for each gait between Table
+        4.1's at its fastest and running.
     """
 
     choices: tuple[Choice, ...]
@@ -104,7 +106,7 @@ def evaluate(
     starts: int = 0,
     seed: int = 0,
     dask: object = None,
-    progress: Callable[[float], object] | None = None,
+    progress: Progress | None = None,
 ) -> tuple[Evaluation, ...]:
     """Simulate the published curves under each choice, in stores that resume, and fit them.
 
@@ -134,13 +136,12 @@ def evaluate(
     """
     made: list[list[Evaluation]] = [[] for _ in range(1 + starts)]
     for first in range(0, len(choices), CHOICES_OF_STORE):
-        part = tuple(choices[first : first + CHOICES_OF_STORE])
-        plan = Sweep(name=name, scenario=base(), points=_points(part), repeats=1 + starts, seed=seed, batch=2000)
-        share, done = len(part) / len(choices), first / len(choices)
-        report = None if progress is None else (lambda x, d=done, s=share, p=progress: p(d + s * x))
+        some = tuple(choices[first : first + CHOICES_OF_STORE])
+        plan = Sweep(name=name, scenario=base(), points=_points(some), repeats=1 + starts, seed=seed, batch=2000)
+        report = part(progress, first / len(choices), len(some) / len(choices))
         campaign = sweep(plan, folder / f"{name}-{first:04d}.zarr", dask=dask, progress=report)
         for start, evaluations in enumerate(made):
-            evaluations.append(Evaluation(part, *_fits(campaign.from_start(start), len(part))))
+            evaluations.append(Evaluation(some, *_fits(campaign.from_start(start), len(some))))
     return tuple(joined(*evaluations) for evaluations in made)
 
 
@@ -171,21 +172,23 @@ GAIT_OBJECTS = sorted({c.omega_pi for c in published.curves() if c.angle_deg == 
 """ω_n of the objects whose gaits are looked at, π rad/s."""
 N_GAITS = len(GAIT_OBJECTS) + 1
 """Numbers that tell the gaits of a choice: one of each object, and of the fastest point of Table 4.1's."""
+ABSENT = 3.0
+"""Deviations that a missing gait counts as, as much as a number that cannot be measured: the source shows it."""
 
 
 def out_of_order(curve: Curve) -> float:
-    """How many points below the run-off fall back from an earlier gait, by how much, and how many gaits are absent."""
+    """How far points below the run-off fall back from an earlier gait, and `ABSENT` for each gait that is missing."""
     steps = np.array([GAITS.index(g) for g, fitted in zip(curve.gait, curve.fitted, strict=True) if fitted and g])
     if not len(steps):
-        return float(len(GAITS))
-    return float((np.maximum.accumulate(steps) - steps).sum() + len(GAITS) - len(set(steps)))
+        return ABSENT * len(GAITS)
+    return float((np.maximum.accumulate(steps) - steps).sum()) + ABSENT * (len(GAITS) - len(set(steps)))
 
 
 def short_of_running(curve: Curve) -> float:
-    """Gaits between that of the fastest point below the run-off and running."""
+    """`ABSENT` for each gait between that of the fastest point below the run-off and running."""
     rate = np.where(curve.fitted, curve.spin_rate_deg_s, -math.inf)
     fastest = curve.gait[int(rate.argmax())] if curve.fitted.any() else ""
-    return float(len(GAITS) - 1 - GAITS.index(fastest)) if fastest else float(len(GAITS) - 1)
+    return ABSENT * (len(GAITS) - 1 - (GAITS.index(fastest) if fastest else 0))
 
 
 def is_reference(curve: PublishedCurve) -> bool:

@@ -65,7 +65,8 @@ def draw_curves(study: SourceStudy) -> Figure:
                 colour, marker = _TOLD[told.name]
                 axes.plot(printed, told.fits[0, :, column], marker, color=colour, mfc="none", ms=5, label=told.name)
         label_axes(axes, f"published {label}", f"simulated {label}")
-    panels[0].legend(frameon=False, fontsize=8)
+    if any(told.name in _TOLD for told in study.told):
+        panels[0].legend(frameon=False, fontsize=8)
     return figure
 
 

@@ -11,8 +11,8 @@ import numpy as np
 from plategait.arrays import Flags
 from plategait.study.evaluation import Evaluation, evaluate, joined
 from plategait.study.inference import HALVES, Step, backward, smallest, step_with
+from plategait.study.progress import Progress, part
 from plategait.study.search import learnt, misfits
-from plategait.study.unknowns import NAMES
 
 ROUNDS = 3
 STARTS = 3
@@ -32,7 +32,7 @@ class Polished:
     chosen : Step
         The smallest that pays for itself.
     halves : mapping of str to Step
-        The same departures found on part of the curves, by the names of `HALVES`.
+        The same departures found on part of the curves, by the names of `HALVES`: each of its own proposals only.
     """
 
     evaluation: Evaluation
@@ -62,7 +62,7 @@ def polish(
     *,
     rounds: int = ROUNDS,
     dask: object = None,
-    progress: Callable[[float], object] | None = None,
+    progress: Progress | None = None,
 ) -> Polished:
     """Propose, simulate and learn in turn.
 
@@ -76,25 +76,33 @@ def polish(
         See `plategait.study.evaluation.evaluate`.
     """
     trials: list[_Trial] = []
-    for number in range(rounds):
-        found = learnt(evaluation)
-        proposed = backward(found, law)
-        free = smallest([trial.told() for trial in trials] or proposed).free
-        # As printed once, then what each half of the curves asks for: each round fills whole stores.
-        halves = [step_with(learnt(evaluation, used), free, law, used) for used, _ in HALVES.values()]
-        asked = [*proposed[number > 0 :], *halves]
-        report = None if progress is None else (lambda x, n=number, p=progress: p((n + x) / rounds))
-        made = evaluate(
-            [step.choice for step in asked], folder, f"round-{number}", starts=STARTS, dask=dask, progress=report
-        )
-        trials += [_Trial(step, tuple(start.only(i) for start in made)) for i, step in enumerate(asked)]
-        evaluation = joined(evaluation, *made)
-    steps = tuple(_best(trials, None, lambda s, n=n: len(s.free) == n) for n in range(len(NAMES) + 1))
+    of_half: dict[str, list[_Trial]] = {name: [] for name in HALVES}
+    known = evaluation
+    for number in range(rounds + 1):
+        found = learnt(known)
+        # Each round fills whole stores: as printed once, and what each half of the curves asks for; the last for these.
+        proposed = backward(found, law)[number > 0 :] if number < rounds else []
+        chosen = smallest(_simplest_to_fullest(trials) or proposed)
+        halves = [step_with(learnt(known, used), chosen.free, law, used) for used, _ in HALVES.values()]
+        asked = [*proposed, *halves]
+        report = part(progress, number / (rounds + 1), 1 / (rounds + 1))
+        choices = [step.choice for step in asked]
+        made = evaluate(choices, folder, f"round-{number}", starts=STARTS, dask=dask, progress=report)
+        told = [_Trial(step, tuple(start.only(i) for start in made)) for i, step in enumerate(asked)]
+        trials += told[: len(proposed)]
+        for name, trial in zip(HALVES, told[len(proposed) :], strict=True):
+            of_half[name].append(trial)
+        known = joined(known, *made)
+    steps = _simplest_to_fullest(trials)
     chosen = smallest(steps)
-    halves = {
-        name: _best(trials, used, lambda s: set(s.free) <= set(chosen.free)) for name, (used, _) in HALVES.items()
-    }
-    return Polished(evaluation, steps, chosen, halves)
+    found_on = {name: _best(of_half[name], used, lambda s: s.free == chosen.free) for name, (used, _) in HALVES.items()}
+    return Polished(known, steps, chosen, found_on)
+
+
+def _simplest_to_fullest(trials: Sequence[_Trial]) -> tuple[Step, ...]:
+    """Best simulated set of each number of departures, from none to all; none where nothing was simulated."""
+    numbers = sorted({len(trial.step.free) for trial in trials})
+    return tuple(_best(trials, None, lambda s, n=n: len(s.free) == n) for n in numbers)
 
 
 def _best(trials: Sequence[_Trial], used: Flags | None, among: Callable[[Step], bool]) -> Step:

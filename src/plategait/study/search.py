@@ -7,7 +7,7 @@ departures cost no further simulation.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
@@ -20,6 +20,7 @@ from plategait.arrays import Array, Flags
 from plategait.errors import InputError
 from plategait.study.aims import KIND, N_CURVES, residuals, residuals_of
 from plategait.study.evaluation import FITS_FROM, OUTPUTS, Evaluation, evaluate, joined
+from plategait.study.progress import Progress, part
 from plategait.study.surrogate import Surrogate, learn
 from plategait.study.unknowns import LAWS, UNKNOWNS, Choice, choice_at, deviations_of
 
@@ -210,7 +211,7 @@ def search(
     first: int,
     generations: int,
     dask: object = None,
-    progress: Callable[[float], object] | None = None,
+    progress: Progress | None = None,
 ) -> Learnt:
     """Evaluate choices over the priors, go down from the best by CMA-ES, and learn from all of them.
 
@@ -231,7 +232,7 @@ def search(
         When the package `cma` is not installed.
     """
     total = first + generations * POPULATION
-    report = None if progress is None else (lambda x: progress(x * first / total))
+    report = part(progress, 0, first / total)
     start = [Choice({}, law) for law in LAWS] + spread(first - len(LAWS), seed)
     (evaluation,) = evaluate(start, folder, f"seed{seed}-0", dask=dask, progress=report)
     best_so_far = evaluation.choices[int(losses(evaluation).argmin())]
@@ -243,7 +244,7 @@ def search(
             strategy.inject([expected], force=True)
         asked = strategy.ask()
         done = (first + (number - 1) * POPULATION) / total
-        report = None if progress is None else (lambda x, d=done, p=progress: p(d + x * POPULATION / total))
+        report = part(progress, done, POPULATION / total)
         # Rounded, so that round-off of another processor is no other study.
         choices = [choice_at(np.round(z, 3), best_so_far.law) for z in asked]
         (made,) = evaluate(choices, folder, f"seed{seed}-{number}", dask=dask, progress=report)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,15 +13,14 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.study.aims import KIND, residuals_of
+from plategait.study.defaults import FIRST, GENERATIONS, SEEDS
 from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, joined
 from plategait.study.inference import HALVES, OutOfSample, Step, deviations_of_curves, step_with
 from plategait.study.polish import ROUNDS, polish
+from plategait.study.progress import Progress, part
 from plategait.study.search import POPULATION, Learnt, learnt, losses, posterior, search
 from plategait.study.unknowns import NAMES, UNKNOWNS, Choice
 
-SEEDS = 3
-FIRST, GENERATIONS = 48, 5
-"""Evaluations of each seed over the priors, and generations of the evolution strategy from the best of them."""
 STARTS = 4
 """Starts of each run, beside the nominal one, with which choices are told at the end."""
 QUANTILES = (0.05, 0.5, 0.95)
@@ -145,7 +144,7 @@ def study_source(
     first: int = FIRST,
     generations: int = GENERATIONS,
     dask: object = None,
-    progress: Callable[[float], object] | None = None,
+    progress: Progress | None = None,
 ) -> SourceStudy:
     """Search what the source leaves open, and say what may be claimed.
 
@@ -170,10 +169,10 @@ def study_source(
             raise InputError(name, value, f"at least {least}", str(least))
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    within = _shares(progress, seeds * (first + generations * POPULATION), 4 * ROUNDS * POPULATION, 8 * (1 + STARTS))
+    within = _parts(progress, seeds * (first + generations * POPULATION), 4 * ROUNDS * POPULATION, 8 * (1 + STARTS))
     searches: list[Learnt] = []
     for seed in range(seeds):
-        report = None if within[0] is None else (lambda x, s=seed, p=within[0]: p((s + x) / seeds))
+        report = part(within[0], seed / seeds, 1 / seeds)
         searches.append(search(folder, seed, first=first, generations=generations, dask=dask, progress=report))
     evaluation = joined(*(each.evaluation for each in searches))
     law = evaluation.choices[int(losses(evaluation).argmin())].law
@@ -204,13 +203,9 @@ def study_source(
     )
 
 
-def _shares(progress: Callable[[float], object] | None, *sizes: float) -> list[Callable[[float], object] | None]:
-    """Reports of parts of such sizes, each from 0 to 1, as one."""
-    if progress is None:
-        return [None] * len(sizes)
-    shares = np.array(sizes) / sum(sizes)
-    ends = np.cumsum(shares)
-    return [lambda x, e=end, s=share, p=progress: p(e - s * (1 - x)) for end, share in zip(ends, shares, strict=True)]
+def _parts(progress: Progress | None, *sizes: float) -> list[Progress | None]:
+    """Reports of parts of such sizes, one after the other."""
+    return [part(progress, sum(sizes[:i]) / sum(sizes), size / sum(sizes)) for i, size in enumerate(sizes)]
 
 
 def tell(
@@ -218,7 +213,7 @@ def tell(
     folder: Path,
     *,
     dask: object = None,
-    progress: Callable[[float], object] | None = None,
+    progress: Progress | None = None,
 ) -> tuple[Told, ...]:
     """Simulate choices from `STARTS` starts that the search has not seen."""
     _, *made = evaluate(list(choices.values()), folder, "told", starts=STARTS, seed=1, dask=dask, progress=progress)
