@@ -1,0 +1,162 @@
+"""How near a preset comes to the published curves, and the default step to a small one, as the tables of the docs.
+
+``python -m benchmarks.fidelity [--preset cheese] [--part fits vertex typed twelve steps]``
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from plategait import published
+from plategait.curve.curve import Curve
+from plategait.curve.protocol import measured_as
+from plategait.curve.spin_curve import spin_curve
+from plategait.model.presets import NOMINAL_NATURAL_FREQUENCY, preset
+from plategait.model.scenario import Scenario
+from plategait.published import FRICTION_RATIO, REFERENCE_ALPHA, PublishedCurve
+from plategait.simulation.run import simulate_all
+
+CASES = tuple(c for c in published.curves() if abs(c.alpha_deg - REFERENCE_ALPHA) < 0.01)
+GRID = {3: "12:34:1Hz", 12: "6:15.5:0.5Hz"}
+STEP_GRID = {3: np.arange(12.0, 28.0), 12: np.arange(8.0, 14.0, 0.5)}
+SMALL_STEP = 5e-6
+OWN_LIMIT = 0.01
+"""Slip at which the source's objects have failed, m (section 4.3)."""
+
+
+def scenario_of(name: str, case: PublishedCurve) -> Scenario:
+    """The preset as the object of a published curve, under its plate motion."""
+    base = preset(name).scenario
+    sheet = base.sheet.with_natural_frequency(case.omega_pi * math.pi, NOMINAL_NATURAL_FREQUENCY)
+    return base.replace(
+        sheet=sheet,
+        friction=base.friction.with_angle(math.radians(REFERENCE_ALPHA)).with_ratio(FRICTION_RATIO),
+        **{"motion.angle": math.radians(case.angle_deg)},
+    )
+
+
+def with_step_halved(scenario: Scenario) -> Scenario:
+    """The same at half its time step."""
+    return scenario.replace(time_step=0.5 * scenario.dt)
+
+
+def published_peak(case: PublishedCurve) -> float:
+    """ω_Br max of Table 5.9, deg/s."""
+    rows = published.numbers()["rotation"]["rows"]
+    return next(float(r[3]) for r in rows if int(r[0]) == case.angle_deg and float(r[1]) == case.omega_pi)
+
+
+def fits(name: str, cases: Sequence[PublishedCurve]) -> None:
+    """Fits against fits, at the default step and at half of it."""
+    heads = ["A_p, ω_n", "published f0", "our f0, 95 %", "off", "half step", "published ω_Br max", "ours"]
+    print_row([*heads, "published b/f0", "ours", "R²"])
+    print_row(["---"] * 10)
+    for case in cases:
+        scenario = measured_as(scenario_of(name, case))
+        made = [spin_curve(s, GRID[case.angle_deg], repeats=4) for s in (scenario, with_step_halved(scenario))]
+        fit, half = made[0].fit, made[1].fit
+        if fit is None:
+            print_row([label(case), made[0].no_fit])
+            continue
+        low, high = fit.f0_interval
+        moved = "no fit" if half is None else f"{100 * (half.f0_hz / fit.f0_hz - 1):+.1f} %"
+        print_row([
+            label(case), f"{case.f0_hz:.1f} Hz", f"{fit.f0_hz:.1f} Hz, {low:.1f}–{high:.1f}",
+            f"{100 * (fit.f0_hz / case.f0_hz - 1):+.1f} %", moved, f"{published_peak(case):.0f} deg/s",
+            f"{fit.peak:.0f}", f"{case.b_over_f0:.3f}", f"{fit.half_width_hz / fit.f0_hz:.3f}", f"{fit.r2:.2f}",
+        ])  # fmt: skip
+
+
+def label(case: PublishedCurve) -> str:
+    """Amplitude and object of a curve."""
+    return f"{case.angle_deg} deg, {case.omega_pi:g} π"
+
+
+def print_row(cells: Sequence[str]) -> None:
+    """One row of a table."""
+    print(f"| {' | '.join(cells)} |")
+
+
+def vertex_of(curve: Curve) -> float:
+    """Vertex of a parabola through the points above 85 % of the highest rate, Hz."""
+    used = curve.fitted
+    f, rate = curve.frequency_hz[used], curve.spin_rate_deg_s[used]
+    near = rate > 0.85 * rate.max()
+    a, b, _ = np.polyfit(f[near], rate[near], 2)
+    return float(-b / (2 * a))
+
+
+def vertex(name: str, cases: Sequence[PublishedCurve]) -> None:
+    """Vertices, and highest rates and gaits by the source's own limit of slip."""
+    print_row(["A_p, ω_n", "vertex", "off", "highest rate", "gaits"])
+    print_row(["---"] * 5)
+    for case in cases:
+        scenario = scenario_of(name, case).replace(duration=4.0, slip_limit=OWN_LIMIT)
+        curve = spin_curve(scenario, GRID[case.angle_deg], repeats=4)
+        f0 = vertex_of(spin_curve(measured_as(scenario), GRID[case.angle_deg], repeats=4))
+        gaits = "".join("!" if failed else g[:1] for g, failed in zip(curve.gait, curve.failed, strict=True))
+        rate = np.where(curve.failed, -math.inf, curve.spin_rate_deg_s).max()
+        off = f"{100 * (f0 / case.f0_hz - 1):+.1f} %"
+        print_row([label(case), f"{f0:.1f} Hz", off, f"{rate:.0f} deg/s", f"`{gaits}`"])
+
+
+def typed(name: str, cases: Sequence[PublishedCurve]) -> None:
+    """What `plategait curve` gives as typed."""
+    curve = spin_curve(preset(name).scenario, "12:30:1Hz")
+    told = (
+        curve.no_fit
+        if curve.fit is None
+        else f"f0 {curve.fit.f0_hz:.2f} Hz {curve.fit.f0_interval}, {curve.fit.peak:.0f}"
+    )
+    print(told)
+
+
+def twelve(name: str, cases: Sequence[PublishedCurve]) -> None:
+    """A_p = 12 deg at 12 Hz, at the default step and an eighth of it."""
+    one = preset(name).scenario.replace(**{"motion.frequency": 12.0, "motion.angle": math.radians(12)})
+    for scenario in (one, one.replace(time_step=one.dt / 8)):
+        for repeats in (1, 4):
+            (run,) = simulate_all([scenario], repeats=repeats)
+            print(f"step {scenario.dt:g} s, {repeats} starts: {math.degrees(run.spin_rate):.0f} deg/s, {run.gait}")
+
+
+def steps(name: str, cases: Sequence[PublishedCurve]) -> None:
+    """Rates at the default step against those at a small one, per cent."""
+    for angle, grid in STEP_GRID.items():
+        errors: list[float] = []
+        print(f"\nA_p = {angle} deg\n")
+        print_row(["Hz", *(f"{f:g}" for f in grid)])
+        print_row(["---"] * (len(grid) + 1))
+        for case in (c for c in cases if c.angle_deg == angle):
+            scenario = scenario_of(name, case).replace(duration=3.0)
+            each = [scenario.replace(**{"motion.frequency": float(f)}) for f in grid]
+            coarse = simulate_all(each, repeats=2)
+            fine = simulate_all([s.replace(time_step=SMALL_STEP) for s in each], repeats=2, engine="cpu64")
+            row = [math.nan if a.failed or b.failed else 100 * (a.spin_rate / b.spin_rate - 1)
+                   for a, b in zip(coarse, fine, strict=True)]  # fmt: skip
+            errors += [e for e in row if math.isfinite(e)]
+            print_row([f"{case.omega_pi:g} π", *("–" if math.isnan(e) else f"{e:.1f}" for e in row)])
+        off = np.array(errors)
+        print(f"\n{len(off)} points, r.m.s. {np.sqrt((off**2).mean()):.2f} %, at worst {np.abs(off).max():.1f} %")
+
+
+PARTS = {"fits": fits, "vertex": vertex, "typed": typed, "twelve": twelve, "steps": steps}
+
+
+def main() -> None:
+    """Print the tables that are asked for."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--preset", default="cheese")
+    parser.add_argument("--part", nargs="+", choices=PARTS, default=list(PARTS))
+    options = parser.parse_args()
+    for part in options.part:
+        print(f"\n{part}\n")
+        PARTS[part](options.preset, CASES)
+
+
+if __name__ == "__main__":
+    main()
