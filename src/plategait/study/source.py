@@ -16,7 +16,7 @@ from plategait.study.aims import KIND, residuals_of
 from plategait.study.defaults import FIRST, GENERATIONS, SEEDS
 from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, joined
 from plategait.study.inference import HALVES, OutOfSample, Step, deviations_of_curves, step_with
-from plategait.study.polish import ROUNDS, polish
+from plategait.study.polish import ROUNDS, polish, refined
 from plategait.study.progress import Progress, part
 from plategait.study.search import POPULATION, Learnt, learnt, losses, posterior, search
 from plategait.study.unknowns import NAMES, UNKNOWNS, Choice
@@ -169,7 +169,9 @@ def study_source(
             raise InputError(name, value, f"at least {least}", str(least))
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    within = _parts(progress, seeds * (first + generations * POPULATION), 4 * ROUNDS * POPULATION, 8 * (1 + STARTS))
+    within = _parts(
+        progress, seeds * (first + generations * POPULATION), 4 * ROUNDS * POPULATION, 4 * POPULATION, 8 * (1 + STARTS)
+    )
     searches: list[Learnt] = []
     for seed in range(seeds):
         report = part(within[0], seed / seeds, 1 / seeds)
@@ -177,24 +179,27 @@ def study_source(
     evaluation = joined(*(each.evaluation for each in searches))
     law = evaluation.choices[int(losses(evaluation).argmin())].law
     polished = polish(evaluation, law, folder, dask=dask, progress=within[1])
-    free = polished.chosen.free
+    found = learnt(polished.evaluation)
+    samples = posterior(found, law, seed=0)
+    chosen = refined(polished.chosen, samples, folder, dask=dask, progress=within[2])
+    steps = tuple(chosen if len(step.free) == len(chosen.free) else step for step in polished.steps)
+    free = chosen.free
     by_seed = [step_with(each, free, law) for each in searches]
     choices = {
         "as printed": Choice({}),
         "one factor at a time": ONE_AT_A_TIME,
-        "found on all curves": polished.chosen.choice,
+        "found on all curves": chosen.choice,
         **{f"found on {name}": step.choice for name, step in polished.halves.items()},
         **{f"found from seed {seed}": step.choice for seed, step in enumerate(by_seed)},
     }
-    told = tell(choices, folder, dask=dask, progress=within[2])
+    told = tell(choices, folder, dask=dask, progress=within[3])
     by_name = {each.name: each for each in told}
-    found = learnt(polished.evaluation)
     return SourceStudy(
         found,
-        polished.steps,
-        polished.chosen,
+        steps,
+        chosen,
         tuple(by_seed),
-        posterior(found, law, seed=0),
+        samples,
         told,
         tuple(
             OutOfSample(name, *deviations_of_curves(by_name[f"found on {name}"].fits[0], members))
