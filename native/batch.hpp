@@ -9,27 +9,32 @@
 
 namespace plategait {
 
-/// Inputs and outputs of a batch. Arrays are C-ordered, double or int64 unless said; sizes in brackets.
+/// A batch of runs: what they are, what is kept of them from one advance to the next, and what an advance records.
+/// Arrays are C-ordered, double or int64 unless said; sizes in brackets.
 template <class T>
 struct Batch {
   Topology topology;
   std::int64_t n_runs;
   const double* parameters;  // [N_PARAMETERS][n_runs]
-  int n_terms;
+  int n_layers, n_terms;
+  const int* layer_terms;          // [n_layers + 1]
   const int* term_dof;             // [n_terms]
   const double* terms;             // [n_terms][amplitude, frequency, phase][n_runs]
+  const double* layers;            // [n_layers][N_LAYER_NUMBERS][n_runs]
   const double* knots;             // [all knots of all tables][12], shared by the runs; null without tables
-  const std::int64_t* first_knot;  // [n_runs] where the table of each run begins
-  const std::int64_t* n_knots;     // [n_runs] 2 or more
+  const std::int64_t* first_knot;  // [n_layers][n_runs] where each table begins
+  const std::int64_t* n_knots;     // [n_layers][n_runs] 2 or more
   const std::int64_t* steps;       // [n_runs] steps to take
   const std::int64_t* stride;      // [n_runs] steps between samples
   const std::int64_t* thinning;    // [n_runs] samples between snapshots, 0 for none
-  const double *x0, *v0;           // [n_runs][n_nodes][3]
+  // Kept: read, and left as they are at the end. Fewer steps are taken than asked where a run diverged.
+  double *x, *v, *edge;  // [n_runs][n_nodes][3]; the edge's only where a plate ends
+  double* tally;         // [n_runs][N_TALLIES]
+  std::int64_t* clock;   // [n_runs][N_CLOCKS]
   std::int64_t max_samples, max_snapshots;
-  T* samples;                // [n_runs][max_samples][N_CHANNELS]
-  float* snapshots;          // [n_runs][max_snapshots][n_nodes][3], world frame
-  double *x1, *v1;           // [n_runs][n_nodes][3]
-  std::int64_t* steps_done;  // [n_runs], fewer than asked where a run diverged
+  T* samples;        // [n_runs][max_samples][N_CHANNELS]
+  float* snapshots;  // [n_runs][max_snapshots][n_nodes][3], world frame
+  T* last;           // [n_runs][N_CHANNELS], at the end
 };
 
 /// Shared by all threads of a call.

@@ -27,6 +27,8 @@ using Output = nb::ndarray<T, nb::c_contig, nb::device::cpu>;
 
 // Node vectors are addressed by an int.
 constexpr std::size_t MOST_NODES = INT_MAX / 9;
+// Steps of a run and between its samples: sums of two stay within the type, and within what a double counts.
+constexpr std::int64_t LONGEST = std::int64_t{1} << 52;
 
 [[noreturn]] void refuse(const std::string& what) { throw nb::value_error(what.c_str()); }
 
@@ -95,21 +97,49 @@ Topology topology_of(const Array<int>& line_start, const Array<int>& line_nodes,
           {features[0], features[1], features[2], features[3]}};
 }
 
-/// Put the table of each run into the batch: where it begins among the shared knots, and how many it has.
+/// A table that begins before the run's clock, with knots apart: what is looked up lies in it.
 template <class T>
-void share_knots(Batch<T>& batch, const Array<double>& knots, const Array<std::int64_t>& first_knot,
-                 const Array<std::int64_t>& n_knots) {
-  const std::size_t rows = rows_of(knots, 12, "knots");
+void check_table_time(const Batch<T>& batch, std::size_t layer, std::size_t run) {
+  const auto n = static_cast<std::size_t>(batch.n_runs);
+  const double* numbers = batch.layers + layer * plategait::N_LAYER_NUMBERS * n + run;
+  if (!(numbers[plategait::TABLE_STEP * n] > 0)) refuse("table_step not above 0");
+  const double now = static_cast<double>(batch.clock[run * plategait::N_CLOCKS + plategait::TAKEN]) *
+                     batch.parameters[plategait::TIME_STEP * n + run];
+  if (!(numbers[plategait::TABLE_BEGIN * n] <= now)) refuse("table_begin after now");
+}
+
+/// Put the plate's course into the batch: its layers, their terms, and where among the shared knots each has its table.
+template <class T>
+void share_course(Batch<T>& batch, const Array<int>& layer_terms, const Array<int>& term_dof,
+                  const Array<double>& terms, const Array<double>& layers, const Array<double>& knots,
+                  const Array<std::int64_t>& first_knot, const Array<std::int64_t>& n_knots) {
+  const auto n_runs = static_cast<std::size_t>(batch.n_runs);
+  const std::size_t n_terms = term_dof.size(), rows = rows_of(knots, 12, "knots");
+  if (layer_terms.size() < 2 || layer_terms.size() > INT_MAX) refuse("no layers, or too many");
+  if (n_terms > INT_MAX / 3) refuse("too many terms");
+  const std::size_t n_layers = layer_terms.size() - 1;
+  const int* begins = within(layer_terms, 0, static_cast<std::int64_t>(n_terms) + 1, "layer_terms");
+  if (begins[0] != 0 || begins[n_layers] != static_cast<int>(n_terms)) refuse("layer_terms does not cover terms");
+  if (!std::is_sorted(begins, begins + n_layers + 1)) refuse("layer_terms falls");
+  sized(terms, 3 * n_terms * n_runs, "terms");
+  sized(layers, n_layers * plategait::N_LAYER_NUMBERS * n_runs, "layers");
+  batch.n_layers = static_cast<int>(n_layers);
+  batch.n_terms = static_cast<int>(n_terms);
+  batch.layer_terms = begins;
+  batch.term_dof = within(term_dof, 0, plategait::DEGREES_OF_FREEDOM, "term_dof");
+  batch.terms = finite(terms, "terms");
+  batch.layers = finite(layers, "layers");
   if (rows == 0) return;
-  const auto n_runs = static_cast<std::size_t>(batch.n_runs), most = std::min<std::size_t>(rows, INT_MAX);
-  sized(first_knot, n_runs, "first_knot");
-  sized(n_knots, n_runs, "n_knots");
+  const std::size_t tables = n_layers * n_runs, most = std::min<std::size_t>(rows, INT_MAX);
+  sized(first_knot, tables, "first_knot");
+  sized(n_knots, tables, "n_knots");
   within(first_knot, 0, static_cast<std::int64_t>(most), "first_knot");
   within(n_knots, 2, static_cast<std::int64_t>(most) + 1, "n_knots");
-  for (std::size_t j = 0; j < n_runs; j++)
+  for (std::size_t j = 0; j < tables; j++)
     if (first_knot.data()[j] + n_knots.data()[j] > static_cast<std::int64_t>(most))
       refuse("n_knots past the end of knots");
-  check_positive(batch.parameters, plategait::TABLE_STEP, n_runs);
+  for (std::size_t i = 0; i < n_layers; i++)
+    for (std::size_t j = 0; j < n_runs; j++) check_table_time(batch, i, j);
   batch.knots = finite(knots, "knots");
   batch.first_knot = first_knot.data();
   batch.n_knots = n_knots.data();
@@ -138,45 +168,62 @@ bool run_while_wanted(const Batch<T>& batch, const std::string& level, int threa
   return plategait::run_batch(batch, level, threads, poll);
 }
 
-/// Run one batch at the precision of `samples`. Raises KeyboardInterrupt (or what `progress` raises) midway, ValueError
-/// for arrays that do not belong together, MemoryError where the core finds no memory.
+/// Clocks that count up, and no further than the type.
+void check_clock(const std::int64_t* clock, const std::int64_t* steps, std::size_t n_runs) {
+  for (std::size_t j = 0; j < n_runs; j++, clock += plategait::N_CLOCKS) {
+    const std::int64_t taken = clock[plategait::TAKEN], seen = clock[plategait::SEEN], due = clock[plategait::DUE];
+    if (seen > taken || due < taken || (taken > 0 && due == taken)) refuse("clock: a sample is not due when it should be");
+    if (taken + steps[j] > LONGEST) refuse("steps past the longest run");
+  }
+}
+
+/// Nodes of runs that begin, finite: what a run under way has come to is its own.
+void check_start(const double* vectors, std::size_t per_run, const std::int64_t* clock, std::size_t n_runs,
+                 const char* name) {
+  for (std::size_t j = 0; j < n_runs; j++)
+    for (std::size_t k = 0; k < per_run && clock[j * plategait::N_CLOCKS + plategait::TAKEN] == 0; k++)
+      if (!std::isfinite(vectors[j * per_run + k])) refuse(std::string(name) + " not finite");
+}
+
+/// Advance one batch at the precision of `samples`, from where x, v, edge, tally and clock say that it is, to where they
+/// then say. Raises KeyboardInterrupt (or what `progress` raises) midway, ValueError for arrays that do not belong
+/// together, MemoryError where the core finds no memory.
 template <class T>
 void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Array<int> cells, Array<double> rest,
-             Array<double> mobility, std::vector<bool> features, Array<double> parameters, Array<int> term_dof,
-             Array<double> terms, Array<double> knots, Array<std::int64_t> first_knot, Array<std::int64_t> n_knots,
-             Array<std::int64_t> steps, Array<std::int64_t> stride, Array<std::int64_t> thinning, Array<double> x0,
-             Array<double> v0, Output<T> samples, Output<float> snapshots, Output<double> x1, Output<double> v1,
-             Output<std::int64_t> steps_done, const std::string& level, int threads, nb::object progress) {
+             Array<double> mobility, std::vector<bool> features, Array<double> parameters, Array<int> layer_terms,
+             Array<int> term_dof, Array<double> terms, Array<double> layers, Array<double> knots,
+             Array<std::int64_t> first_knot, Array<std::int64_t> n_knots, Array<std::int64_t> steps,
+             Array<std::int64_t> stride, Array<std::int64_t> thinning, Output<double> x, Output<double> v,
+             Output<double> edge, Output<double> tally, Output<std::int64_t> clock, Output<T> samples,
+             Output<float> snapshots, Output<T> last, const std::string& level, int threads, nb::object progress) {
   Batch<T> batch{};
   batch.topology = topology_of(line_start, line_nodes, n_axial_lines, cells, rest, mobility, features);
-  const std::size_t n_runs = steps.size(), n_terms = term_dof.size(), vectors = n_runs * mobility.size() * 3;
+  const std::size_t n_runs = steps.size(), per_run = mobility.size() * 3, vectors = n_runs * per_run;
   if (n_runs == 0) refuse("no runs");
-  if (n_terms > INT_MAX / 3) refuse("too many terms");
   sized(parameters, plategait::N_PARAMETERS * n_runs, "parameters");
-  sized(terms, 3 * n_terms * n_runs, "terms");
   sized(stride, n_runs, "stride");
   sized(thinning, n_runs, "thinning");
-  sized(x0, vectors, "x0");
-  sized(v0, vectors, "v0");
   batch.n_runs = static_cast<std::int64_t>(n_runs);
   batch.parameters = finite(parameters, "parameters");
   check_positive(batch.parameters, plategait::TIME_STEP, n_runs);
-  batch.n_terms = static_cast<int>(n_terms);
-  batch.term_dof = within(term_dof, 0, plategait::DEGREES_OF_FREEDOM, "term_dof");
-  batch.terms = finite(terms, "terms");
-  share_knots(batch, knots, first_knot, n_knots);
-  batch.steps = within(steps, 0, INT64_MAX, "steps");
-  batch.stride = within(stride, 1, INT64_MAX, "stride");
+  batch.steps = within(steps, 0, LONGEST, "steps");
+  batch.stride = within(stride, 1, LONGEST, "stride");
   batch.thinning = within(thinning, 0, INT64_MAX, "thinning");
-  batch.x0 = finite(x0, "x0");
-  batch.v0 = finite(v0, "v0");
+  batch.x = sized(x, vectors, "x");
+  batch.v = sized(v, vectors, "v");
+  batch.edge = sized(edge, batch.topology.features.plate_edge ? vectors : 0, "edge");
+  batch.tally = sized(tally, n_runs * plategait::N_TALLIES, "tally");
+  sized(clock, n_runs * plategait::N_CLOCKS, "clock");
+  batch.clock = const_cast<std::int64_t*>(within(clock, 0, 2 * LONGEST, "clock"));
+  check_clock(batch.clock, batch.steps, n_runs);
+  check_start(batch.x, per_run, batch.clock, n_runs, "x");
+  check_start(batch.v, per_run, batch.clock, n_runs, "v");
+  share_course(batch, layer_terms, term_dof, terms, layers, knots, first_knot, n_knots);
   batch.max_samples = static_cast<std::int64_t>(rows_of(samples, n_runs * plategait::N_CHANNELS, "samples"));
   batch.max_snapshots = static_cast<std::int64_t>(rows_of(snapshots, vectors, "snapshots"));
   batch.samples = samples.data();
   batch.snapshots = snapshots.data();
-  batch.x1 = sized(x1, vectors, "x1");
-  batch.v1 = sized(v1, vectors, "v1");
-  batch.steps_done = sized(steps_done, n_runs, "steps_done");
+  batch.last = sized(last, n_runs * plategait::N_CHANNELS, "last");
   check_target(level, threads);
   if (!run_while_wanted(batch, level, threads, progress)) throw nb::python_error();
 }
@@ -185,10 +232,10 @@ template <class T, class Module>
 void define_advance(Module& module, const char* name) {
   // An output of another type or layout would be filled in a copy, and lost: it is refused.
   module.def(name, &advance<T>, "line_start"_a, "line_nodes"_a, "n_axial_lines"_a, "cells"_a, "rest"_a, "mobility"_a,
-             "features"_a, "parameters"_a, "term_dof"_a, "terms"_a, "knots"_a, "first_knot"_a, "n_knots"_a, "steps"_a,
-             "stride"_a, "thinning"_a, "x0"_a, "v0"_a, "samples"_a.noconvert(), "snapshots"_a.noconvert(),
-             "x1"_a.noconvert(), "v1"_a.noconvert(), "steps_done"_a.noconvert(), "level"_a, "threads"_a,
-             "progress"_a.none());
+             "features"_a, "parameters"_a, "layer_terms"_a, "term_dof"_a, "terms"_a, "layers"_a, "knots"_a,
+             "first_knot"_a, "n_knots"_a, "steps"_a, "stride"_a, "thinning"_a, "x"_a.noconvert(), "v"_a.noconvert(),
+             "edge"_a.noconvert(), "tally"_a.noconvert(), "clock"_a.noconvert(), "samples"_a.noconvert(),
+             "snapshots"_a.noconvert(), "last"_a.noconvert(), "level"_a, "threads"_a, "progress"_a.none());
 }
 
 }  // namespace
@@ -200,6 +247,10 @@ NB_MODULE(_native, module) {
   module.def("available_levels", &plategait::available_levels, "Instruction sets this processor can run, best first.");
   module.attr("PARAMETERS") =
       nb::cast(std::vector<std::string>(std::begin(plategait::parameter_names), std::end(plategait::parameter_names)));
+  module.attr("LAYER") =
+      nb::cast(std::vector<std::string>(std::begin(plategait::layer_names), std::end(plategait::layer_names)));
+  module.attr("N_TALLIES") = plategait::N_TALLIES;
+  module.attr("N_CLOCKS") = static_cast<int>(plategait::N_CLOCKS);
   module.attr("CHANNELS") =
       nb::cast(std::vector<std::string>(std::begin(plategait::channel_names), std::end(plategait::channel_names)));
 }

@@ -26,8 +26,6 @@ enum Parameter : int {
   PLATE_HALF_LENGTH,  // m, along the bar
   PLATE_HALF_WIDTH,   // m, across the bar
   PLATE_HEIGHT,       // m, of the plate's surface above the axis that it turns about
-  RAMP_DURATION,      // s, start of the plate motion
-  TABLE_STEP,         // s, between the knots of a sampled trajectory
   TIME_STEP,          // s
   N_PARAMETERS
 };
@@ -37,7 +35,7 @@ constexpr const char* parameter_names[N_PARAMETERS] = {
     "pitch", "node_mass", "axial_stiffness", "axial_damping", "shear_ratio", "bending_stiffness",
     "bending_damping", "torsion_stiffness", "torsion_damping", "contact_stiffness", "contact_damping", "contact_ramp",
     "static_friction", "kinetic_friction", "static_speed", "kinetic_speed", "smooth_friction", "gravity",
-    "plate_half_length", "plate_half_width", "plate_height", "ramp_duration", "table_step", "time_step"};
+    "plate_half_length", "plate_half_width", "plate_height", "time_step"};
 
 /// What is recorded at each sample. The sums and fractions cover the steps since the sample before.
 enum Channel : int {
@@ -62,8 +60,29 @@ constexpr const char* channel_names[N_CHANNELS] = {
     "kinetic_energy", "gravity_energy", "axial_energy", "bending_energy", "torsion_energy", "contact_energy",
     "joint_loss", "contact_work", "friction_loss", "plate_work",
     "plate_x", "plate_y", "plate_z", "plate_rx", "plate_ry", "plate_rz"};
-// clang-format on
 
 constexpr int DEGREES_OF_FREEDOM = 6;
+
+/// What a layer of the plate's course is told by: one motion that the plate goes over to (plate.hpp).
+enum LayerNumber : int {
+  BEGIN, DURATION,          // s, when the plate begins to go over to it, and how long it takes
+  TABLE_BEGIN, TABLE_STEP,  // s, when its table of knots begins, and the time between them
+  OFFSET,                   // m or rad, where it holds the plate: one for each degree of freedom
+  N_LAYER_NUMBERS = OFFSET + DEGREES_OF_FREEDOM
+};
+
+constexpr const char* layer_names[N_LAYER_NUMBERS] = {
+    "begin", "duration", "table_begin", "table_step",
+    "offset_x", "offset_y", "offset_z", "offset_rx", "offset_ry", "offset_rz"};
+// clang-format on
+
+/// What is kept of a run's clock from one advance to the next, in steps since its start.
+enum Clock : int {
+  TAKEN,    // steps taken
+  SEEN,     // when the last sample was taken
+  DUE,      // when the next one is
+  SAMPLED,  // samples taken
+  N_CLOCKS
+};
 
 }  // namespace plategait

@@ -107,28 +107,62 @@ struct Term {
   Wide<R> frequency, phase;
 };
 
-/// The plate's trajectory: sines, each on one degree of freedom, and optionally a table of knots
-/// (position, speed) every TABLE_STEP, joined by cubic Hermite pieces. Past its last knot the plate stays there.
+/// One motion of the plate, and how the plate goes over to it: a layer of its course.
+///
+/// The motion is an offset, sines, each on one degree of freedom, and optionally a table of knots (position, speed)
+/// every `table_step`, joined by cubic Hermite pieces. Past its last knot the plate stays there.
 template <class R>
-struct Trajectory {
-  int n_terms;
-  const int* term_dof;  // degree of freedom of each term, the same for every run
-  const Term<R>* terms;
-  const double* knots;  // [knot][dof][position, speed] of all tables, shared by all runs; null where there is none
-  Wide<R> first_knot, last_knot;  // of the run's own table: its first among all knots, its last among its own
+struct Layer {
+  Wide<R> begin;  // s
+  R duration;     // s
+  Wide<R> table_begin;
+  R table_step;
+  Wide<R> offset[DEGREES_OF_FREEDOM];
+  Wide<R> first_knot, last_knot;  // of its own table: the first among all knots, the last among its own
 };
 
+/// The plate's course: it stands where the first layer holds it, and goes over from each layer to the next.
 template <class R>
-PLATEGAIT_HD PlateMotion<R> move_plate(const Trajectory<R>& trajectory, const R* parameter, Wide<R> time) {
-  const R t = narrow_to(time, R());
-  PlateMotion<R> motion;
-  R level, rate;
-  smooth_start(t, parameter[RAMP_DURATION], level, rate);
+struct Trajectory {
+  int n_layers;
+  const int* layer_terms;  // [n_layers + 1] where the terms of each layer begin
+  const int* term_dof;     // degree of freedom of each term; these three are the same for every run
+  const Term<R>* terms;
+  const Layer<R>* layers;
+  const double* knots;  // [knot][dof][position, speed] of all tables, shared by all runs; null where there is none
+};
+
+/// Add the sampled part of a motion.
+template <class R>
+PLATEGAIT_HD void follow_table(const double* knots, const Layer<R>& layer, Wide<R> time, PlateMotion<R>& motion) {
+  const R step = layer.table_step;
+  const Wide<R> knot = smaller((time - layer.table_begin) / widen(step), layer.last_knot);
+  const Wide<R> behind = smaller(floor_of(knot), layer.last_knot - Wide<R>(1.0));
+  const Index<R> row = index_of(layer.first_knot + behind);
+  const R s = narrow_to(knot - behind, R());
+  const R one = number<R>(1), three = number<R>(3), rest = one - s, rise = s * s * (three - number<R>(2) * s);
   for (int d = 0; d < DEGREES_OF_FREEDOM; d++) {
-    motion.position[d] = number<Wide<R>>(0);
+    const Wide<R> p0 = look_up(knots, row, 12, 2 * d, Wide<R>());
+    const Wide<R> p1 = look_up(knots, row, 12, 2 * d + 12, Wide<R>());
+    const R v0 = look_up(knots, row, 12, 2 * d + 1, R()) * step;
+    const R v1 = look_up(knots, row, 12, 2 * d + 13, R()) * step;
+    const R way = narrow_to(p1 - p0, R());
+    motion.position[d] += p0 + widen(rise * way + s * rest * (rest * v0 - s * v1));
+    motion.speed[d] +=
+        (number<R>(6) * s * rest * way + rest * (one - three * s) * v0 + s * (three * s - number<R>(2)) * v1) / step;
+  }
+}
+
+/// The motion of one layer by itself.
+template <class R>
+PLATEGAIT_HD PlateMotion<R> motion_of_layer(const Trajectory<R>& trajectory, int which, Wide<R> time) {
+  const Layer<R>& layer = trajectory.layers[which];
+  PlateMotion<R> motion;
+  for (int d = 0; d < DEGREES_OF_FREEDOM; d++) {
+    motion.position[d] = layer.offset[d];
     motion.speed[d] = number<R>(0);
   }
-  for (int j = 0; j < trajectory.n_terms; j++) {
+  for (int j = trajectory.layer_terms[which]; j < trajectory.layer_terms[which + 1]; j++) {
     const Term<R>& term = trajectory.terms[j];
     const int d = trajectory.term_dof[j];
     const Wide<R> phase = time * term.frequency + term.phase;
@@ -136,28 +170,34 @@ PLATEGAIT_HD PlateMotion<R> move_plate(const Trajectory<R>& trajectory, const R*
     motion.position[d] += widen(term.amplitude * wave.sine);
     motion.speed[d] += term.amplitude * narrow_to(term.frequency, R()) * number<R>(6.283185307179586) * wave.cosine;
   }
-  if (trajectory.knots) {
-    const R step = parameter[TABLE_STEP];
-    const Wide<R> knot = smaller(time / widen(step), trajectory.last_knot);
-    const Wide<R> behind = smaller(floor_of(knot), trajectory.last_knot - Wide<R>(1.0));
-    const Index<R> row = index_of(trajectory.first_knot + behind);
-    const R s = narrow_to(knot - behind, R());
-    const R one = number<R>(1), three = number<R>(3), rest = one - s, rise = s * s * (three - number<R>(2) * s);
-    for (int d = 0; d < DEGREES_OF_FREEDOM; d++) {
-      const Wide<R> p0 = look_up(trajectory.knots, row, 12, 2 * d, Wide<R>());
-      const Wide<R> p1 = look_up(trajectory.knots, row, 12, 2 * d + 12, Wide<R>());
-      const R v0 = look_up(trajectory.knots, row, 12, 2 * d + 1, R()) * step;
-      const R v1 = look_up(trajectory.knots, row, 12, 2 * d + 13, R()) * step;
-      const R way = narrow_to(p1 - p0, R());
-      motion.position[d] += p0 + widen(rise * way + s * rest * (rest * v0 - s * v1));
-      motion.speed[d] +=
-          (number<R>(6) * s * rest * way + rest * (one - three * s) * v0 + s * (three * s - number<R>(2)) * v1) / step;
-    }
-  }
+  if (trajectory.knots) follow_table(trajectory.knots, layer, time, motion);
+  return motion;
+}
+
+/// Go over from what the plate did before to the motion of a layer: position, speed and acceleration are continuous.
+/// Exact where it has gone over, so that layers beneath may then be left out.
+template <class R>
+PLATEGAIT_HD void go_over(const Layer<R>& layer, const PlateMotion<R>& to, Wide<R> time, PlateMotion<R>& motion) {
+  R level, rate;
+  smooth_start(narrow_to(time - layer.begin, R()), layer.duration, level, rate);
+  const Wide<R> share = widen(level), rest = number<Wide<R>>(1) - share;
+  const R rest_now = number<R>(1) - level;
   for (int d = 0; d < DEGREES_OF_FREEDOM; d++) {
-    motion.speed[d] = level * motion.speed[d] + rate * narrow_to(motion.position[d], R());
-    motion.position[d] = widen(level) * motion.position[d];
+    const R way = narrow_to(to.position[d] - motion.position[d], R());
+    motion.speed[d] = level * to.speed[d] + rate * way + rest_now * motion.speed[d];
+    motion.position[d] = share * to.position[d] + rest * motion.position[d];
   }
+}
+
+template <class R>
+PLATEGAIT_HD PlateMotion<R> move_plate(const Trajectory<R>& trajectory, Wide<R> time) {
+  PlateMotion<R> motion;
+  for (int d = 0; d < DEGREES_OF_FREEDOM; d++) {
+    motion.position[d] = trajectory.layers[0].offset[d];
+    motion.speed[d] = number<R>(0);
+  }
+  for (int i = 0; i < trajectory.n_layers; i++)
+    go_over(trajectory.layers[i], motion_of_layer(trajectory, i, time), time, motion);
   return motion;
 }
 

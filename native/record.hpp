@@ -90,7 +90,7 @@ PLATEGAIT_HD void record_nodes(const State<R>& s, const Topology& topology, cons
 template <class R>
 PLATEGAIT_HD void record_sample(const State<R>& s, const Topology& topology, const R* parameter,
                                 const Trajectory<R>& trajectory, Wide<R> time, R steps, Tally<R>& tally, R* channel) {
-  const PlateMotion<R> motion = move_plate(trajectory, parameter, time);
+  const PlateMotion<R> motion = move_plate(trajectory, time);
   const PlatePose<R> plate = plate_pose(motion, parameter[PLATE_HEIGHT]);
   record_joints(s, topology, parameter, channel);
   record_nodes(s, topology, parameter, plate, channel);

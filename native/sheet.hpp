@@ -50,13 +50,14 @@ struct State {
   Nodes<R> edge, held;
 };
 
-/// What the step adds up for the observables since the last sample.
+/// What the step adds up for the observables since the last sample: N_TALLIES numbers.
 template <class R>
 struct Tally {
   R left, right, none, nodes;                             // steps touched by; airborne; node-steps in contact
   R joint_loss, contact_work, friction_loss, plate_work;  // J
   R centre_y;                                             // m, where the legs part: last step's mean, plate frame
 };
+constexpr int N_TALLIES = 9;
 
 /// Axial joints of stiffness k_c, and bending ones, of one straight line of nodes. Walks it once, carrying the edge
 /// behind.

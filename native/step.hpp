@@ -61,7 +61,7 @@ template <class R>
 PLATEGAIT_HD void lay_down(const State<R>& state, const Topology& topology, const R* parameter,
                            const Trajectory<R>& trajectory) {
   if (!topology.features.plate_edge) return;
-  const PlatePose<R> plate = plate_pose(move_plate(trajectory, parameter, number<Wide<R>>(0)), parameter[PLATE_HEIGHT]);
+  const PlatePose<R> plate = plate_pose(move_plate(trajectory, number<Wide<R>>(0)), parameter[PLATE_HEIGHT]);
   if (see_edge(state, topology, parameter, plate)) lay_across_edge(state, topology, parameter, plate);
 }
 
@@ -71,8 +71,8 @@ PLATEGAIT_HD void advance_one_step(const State<R>& state, const Topology& topolo
   const R height = parameter[PLATE_HEIGHT];
   const Wide<R> next = time + number<Wide<R>>(0.5) * widen(parameter[TIME_STEP]);
   pull_joints(state, topology, parameter, tally);
-  meet_plate(state, topology, parameter, plate_pose(move_plate(trajectory, parameter, time), height),
-             plate_pose(move_plate(trajectory, parameter, next), height), tally);
+  meet_plate(state, topology, parameter, plate_pose(move_plate(trajectory, time), height),
+             plate_pose(move_plate(trajectory, next), height), tally);
 }
 
 }  // namespace plategait

@@ -14,8 +14,8 @@ using namespace plategait;
 
 // One thread, one run: arrays are interleaved over the runs.
 extern "C" __global__ void advance_runs(Topology topology, const float* parameters, int n_terms,
-                                        const int* term_dof, const Term<float>* terms, const double* knots, int n_knots,
-                                        float* nodes, int n_runs, int steps, float* channels) {
+                                        const int* layer_terms, const int* term_dof, const Term<float>* terms,
+                                        int n_layers, const Layer<float>* layers, const double* knots, float* nodes, int n_runs, int steps, float* channels) {
   const int run = blockIdx.x * blockDim.x + threadIdx.x;
   if (run >= n_runs) return;
   float parameter[N_PARAMETERS];
@@ -23,7 +23,8 @@ extern "C" __global__ void advance_runs(Topology topology, const float* paramete
   const int vectors = 3 * topology.n_nodes * n_runs;
   const Nodes<float> x = {nodes + run, n_runs}, v = {x.data + vectors, n_runs}, f = {v.data + vectors, n_runs};
   const State<float> state = {x, v, f};
-  const Trajectory<float> trajectory = {n_terms, term_dof, terms + run * n_terms, knots, 0.0, n_knots - 1.0};
+  const Trajectory<float> trajectory = {n_layers, layer_terms, term_dof, terms + run * n_terms,
+                                        layers + run * n_layers, knots};
   Tally<float> tally = {};
   for (int step = 0; step < steps; step++)
     advance_one_step(state, topology, parameter, trajectory, step * double(parameter[TIME_STEP]), tally);

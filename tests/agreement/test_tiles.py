@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from plategait.engine.recording import RunRequest
-from plategait.engine.tile_runs import run, tile_model
+from plategait.engine.tile_group import tile_model
+from plategait.engine.tile_runs import run
 from plategait.engine.tiles import stable_step, tile_modes
 from plategait.errors import InputError
 from plategait.model.motion import Samples, Wave

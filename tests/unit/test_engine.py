@@ -13,7 +13,7 @@ import pytest
 
 from plategait.engine import cpu, memory
 from plategait.engine.recording import RunRequest
-from plategait.engine.trajectories import table_bytes, tables
+from plategait.engine.trajectories import followed, table_bytes, tables
 from plategait.errors import InputError
 from plategait.model.motion import PlateMotion, Samples
 from plategait.model.outline import Disk
@@ -48,7 +48,7 @@ def wave(rate: float, end: float) -> Samples:
 
 def test_a_trajectory_is_tabulated_to_the_end_of_the_run_only():
     scenario = along(wave(1000, 300.0))
-    knots, first, count = tables([RunRequest(scenario)])
+    knots, first, count = tables([followed(RunRequest(scenario))])
     assert first.tolist() == [0]
     # 0.1 s at half a sample's step of 1 ms, and the knot past the end.
     assert 201 <= len(knots) == count[0] <= 203
@@ -59,12 +59,12 @@ def test_a_last_sample_far_away_is_no_burden():
     far = Samples(time=(0.0, 1e-3, 2e-3, 36000.0), x=(0.0, 1e-4, 2e-4, 0.0))
     recording = cpu.run([RunRequest(along(far))])[0]
     assert not recording.diverged
-    assert len(tables([RunRequest(along(far))])[0]) < 210
+    assert len(tables([followed(RunRequest(along(far)))])[0]) < 210
 
 
 def test_runs_on_equal_trajectories_share_one_table():
     runs = [RunRequest(along(wave(1000, 1.0), duration=0.1 + 0.01 * (i % 3))) for i in range(12)]
-    knots, first, count = tables(runs)
+    knots, first, count = tables([followed(run) for run in runs])
     assert set(first.tolist()) == {0}
     assert set(count.tolist()) == {len(knots)}
     assert 241 <= len(knots) <= 243, "to the end of the longest run"
@@ -77,7 +77,7 @@ def test_runs_without_a_trajectory_stand_among_those_with_one():
         RunRequest(along(wave(500, 1.0))),
         RunRequest(ONE_NODE),
     ]
-    knots, first, count = tables(runs)
+    knots, first, count = tables([followed(run) for run in runs])
     assert len(set(first.tolist())) == 3
     assert (first + count).max() == len(knots)
     together = cpu.run(runs)
@@ -179,12 +179,14 @@ n = 1_000_000
 given = dict(
     line_start=np.zeros(1, dtype=np.int32), line_nodes=np.zeros(0, dtype=np.int32), n_axial_lines=0,
     cells=np.zeros(0, dtype=np.int32), rest=np.zeros((n, 2)), mobility=np.ones(n), features=[False] * 4,
-    parameters=np.ones((len(native.PARAMETERS), 1)), term_dof=np.zeros(0, dtype=np.int32), terms=np.zeros(0),
+    parameters=np.ones((len(native.PARAMETERS), 1)), layer_terms=np.zeros(2, dtype=np.int32),
+    term_dof=np.zeros(0, dtype=np.int32), terms=np.zeros(0), layers=np.zeros((1, len(native.LAYER), 1)),
     knots=np.zeros(0), first_knot=np.zeros(0, dtype=np.int64), n_knots=np.zeros(0, dtype=np.int64),
     steps=np.ones(1, dtype=np.int64), stride=np.ones(1, dtype=np.int64), thinning=np.zeros(1, dtype=np.int64),
-    x0=np.zeros((n, 3)), v0=np.zeros((n, 3)), samples=np.zeros((2, len(native.CHANNELS))),
-    snapshots=np.zeros(0, dtype=np.float32), x1=np.zeros((n, 3)), v1=np.zeros((n, 3)),
-    steps_done=np.zeros(1, dtype=np.int64), level="baseline", threads=1, progress=None,
+    x=np.zeros((n, 3)), v=np.zeros((n, 3)), edge=np.zeros(0), tally=np.zeros((1, native.N_TALLIES)),
+    clock=np.zeros((1, native.N_CLOCKS), dtype=np.int64), samples=np.zeros((2, len(native.CHANNELS))),
+    snapshots=np.zeros(0, dtype=np.float32), last=np.zeros((1, len(native.CHANNELS))), level="baseline", threads=1,
+    progress=None,
 )
 native.advance_float64(**given)
 leave(ROOM)  # the nodes of one block take 144 MB, the stack of a thread 8 MB

@@ -30,7 +30,7 @@ def test_every_name_has_a_row():
 @pytest.mark.parametrize("name", ENGINES)
 def test_an_engine_keeps_the_contract(name):
     told: list[float] = []
-    recordings = ENGINES[name].load()(RUNS, threads=1, progress=told.append)
+    recordings = ENGINES[name].run(RUNS, threads=1, progress=told.append)
     assert len(recordings) == len(RUNS)
     for run, recording in zip(RUNS, recordings, strict=True):
         assert set(recording.channels) == set(CHANNELS)
@@ -52,15 +52,15 @@ def test_what_progress_raises_stops_an_engine(name):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        ENGINES[name].load()([RunRequest(SHORT.replace(duration=1000.0))], progress=stop)
+        ENGINES[name].run([RunRequest(SHORT.replace(duration=1000.0))], progress=stop)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ENGINES)
 def test_engines_begin_alike(name):
     # One start and one plate for all: single precision to 1e-6 of the sheet's size.
-    for run, ours in zip(RUNS, ENGINES[name].load()(RUNS), strict=True):
-        (theirs,) = ENGINES["cpu64"].load()([run])
+    for run, ours in zip(RUNS, ENGINES[name].run(RUNS), strict=True):
+        (theirs,) = ENGINES["cpu64"].run([run])
         for channel in ("centre_x", "centre_y", "centre_z", "spin_cross", "spin_dot", "area_z", "height_low", "time"):
             assert ours[channel][0] == pytest.approx(theirs[channel][0], rel=1e-5, abs=1e-7)
         for axis in ("x", "y", "z", "rx", "ry", "rz"):

@@ -1,6 +1,6 @@
-"""Engines by name, behind one contract: runs in, recordings out.
+"""Engines by name, behind one contract: runs in, sessions that advance them out.
 
-An engine is a module with a function that keeps `Runner`'s contract, a name in `Engine` and a row in `ENGINES`.
+An engine is a module with a class that keeps the contract of `plategait.engine.session.Session`, a name in `Engine` and a row in `ENGINES`.
 """
 
 from __future__ import annotations
@@ -8,34 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Literal, Protocol
+from typing import Literal
 
 from plategait.engine.recording import Recording, RunRequest
+from plategait.engine.session import Opener, advance_once
 from plategait.errors import InputError
 
 Engine = Literal["cpu", "cpu64", "tiles"]
-
-
-class Runner(Protocol):
-    """What every engine does."""
-
-    def __call__(
-        self,
-        runs: Sequence[RunRequest],
-        *,
-        threads: int | None = None,
-        progress: Callable[[float], object] | None = None,
-    ) -> list[Recording]:
-        """Advance runs that may differ in everything, and give a recording of each, in their order.
-
-        A recording holds every one of `plategait.engine.channels`, sampled when its request says (`stride` steps of
-        the scenario's `dt`, whatever steps the engine itself takes), and the same in whatever company the run was made:
-        the same bits by the native core, to rounding by others. A run that diverges is told by its recording; what the
-        engine cannot do, or has not the memory for, is refused with an `InputError` before it starts. `threads` are
-        cores to use at most, all by default; `progress` is called with the fraction done, and what it raises stops the
-        runs.
-        """
-        ...
 
 
 @dataclass(frozen=True)
@@ -49,24 +28,34 @@ class EngineEntry:
     precision : {"float32", "float64"}
         Of its numbers.
     load : callable
-        Gives the engine itself; not before it is wanted, since that takes time.
+        Gives what opens a session; not before it is wanted, since that takes time.
     """
 
     summary: str
     precision: Literal["float32", "float64"]
-    load: Callable[[], Runner]
+    load: Callable[[], Opener]
+
+    def run(
+        self,
+        runs: Sequence[RunRequest],
+        *,
+        threads: int | None = None,
+        progress: Callable[[float], object] | None = None,
+    ) -> list[Recording]:
+        """Advance runs to their ends, a session advanced once, and give a recording of each, in their order."""
+        return advance_once(self.load()(runs, ends=True), runs, threads=threads, progress=progress)
 
 
-def _cpu(precision: Literal["float32", "float64"]) -> Runner:
+def _cpu(precision: Literal["float32", "float64"]) -> Opener:
     from plategait.engine import cpu
 
-    return partial(cpu.run, precision=precision)
+    return partial(cpu.Session, precision=precision)
 
 
-def _tiles() -> Runner:
+def _tiles() -> Opener:
     from plategait.engine import tile_runs
 
-    return tile_runs.run
+    return tile_runs.Session
 
 
 ENGINES: Mapping[Engine, EngineEntry] = {

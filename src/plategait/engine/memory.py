@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from plategait.engine.recording import RunRequest
 from plategait.engine.trajectories import table_bytes
 from plategait.errors import InputError
@@ -15,6 +18,8 @@ _LARGEST_RECORDING, _SMALLEST_BATCH = 256 << 20, 64
 # Series in double precision, and the copies that measuring and writing them take; shapes likewise, in single precision.
 _COPIES, _PICTURE_COPIES = 2, 3
 _GB = 1e9
+# A piece of a session that is smaller asks for nothing: looking takes longer than some pieces.
+_ALWAYS_THERE = 32 << 20
 
 
 def batch_size(samples: int, sample_bytes: int) -> int:
@@ -67,4 +72,26 @@ def _recording_bytes(run: RunRequest, channels: int) -> float:
 
 
 def _running_bytes(run: RunRequest, sample_bytes: int) -> float:
-    return sample_bytes * run.samples + 12.0 * run.lattice.n_nodes * (run.pictures + 8)
+    return sample_bytes * run.samples + 12.0 * run.lattice.n_nodes * (run.pictures + 16)
+
+
+def check_room(samples: NDArray[np.int64], channels: int, precision: str) -> None:
+    """Refuse to advance a batch whose samples would not fit in memory.
+
+    Parameters
+    ----------
+    samples : (n,) int array
+        That each run will take.
+    channels : int
+        Numbers in a sample.
+    precision : {"float32", "float64"}
+
+    Raises
+    ------
+    InputError
+    """
+    needed = float(np.dtype(precision).itemsize * channels * len(samples) * int(samples.max()))
+    if needed < _ALWAYS_THERE or needed <= (there := available_memory()):
+        return
+    raise InputError("duration", f"samples of {needed / _GB:.3g} GB", f"at most the {there / _GB:.3g} GB that there are",
+                     "to advance in shorter pieces")  # fmt: skip

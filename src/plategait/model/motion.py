@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, field_validator, model_validator
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.rows import read_rows
 from plategait.model.base import Model
@@ -106,10 +108,39 @@ class Samples(Model):
                 table[:, 2 * d + 1] = np.where(time < self.time[-1], spline(within, 1), 0.0)
         return table
 
+    def derivatives(self, time: Array) -> Array:
+        """(4, 6, n) position, speed, acceleration and jerk of the spline at times; it stays past its last sample."""
+        from scipy.interpolate import CubicSpline
+
+        moves = np.zeros((4, len(AXES), len(time)))
+        within = np.clip(time, 0.0, self.time[-1])
+        for d, axis in enumerate(AXES):
+            if values := getattr(self, axis):
+                spline = CubicSpline(self.time, values, bc_type="natural")
+                moves[:, d] = [spline(within, n) for n in range(4)]
+        moves[1:, :, time > self.time[-1]] = 0.0
+        return moves
+
     @property
     def finest_step(self) -> float:
         """Shortest time between two samples, s."""
         return float(np.diff(self.time).min())
+
+
+class Held(Model):
+    """Where the plate is held off its rest, about which it moves."""
+
+    x: Offset = Field(default=0.0, description="along the bar")
+    y: Offset = Field(default=0.0, description="across the bar")
+    z: Offset = Field(default=0.0, description="upwards")
+    rx: Annotated[float, PLATE_ANGLE] = Field(default=0.0, description="about the bar, which is off level by it")
+    ry: Annotated[float, PLATE_ANGLE] = Field(default=0.0, description="about y")
+    rz: Annotated[float, PLATE_ANGLE] = Field(default=0.0, description="about z")
+
+    @cached_property
+    def pose(self) -> tuple[float, ...]:
+        """Offset on each axis, m and rad, in the order of `AXES`."""
+        return tuple(getattr(self, axis) for axis in AXES)
 
 
 def read_samples(path: Path, field: str = "samples") -> Samples:
@@ -160,8 +191,8 @@ class PlateMotion(Model):
     """Motion of the plate. The short form is (4.1), (4.2): Θ(t) = −A_p sin ω_p t about the bar, X(t) = B_p sin ω_p t.
 
     The rotation is Rx(Θx) Ry(Θy) Rz(Θz), about a point `height` below the middle of the plate's surface: the bar's axis
-    where the plate lies on the bar. `waves` add to the short form,
-    and `samples` to both.
+    where the plate lies on the bar. `waves` add to the short form, `samples` to both, and `offset` is where the plate is
+    held meanwhile: before it starts, the object lies on a plate that stands there.
     """
 
     frequency: Frequency = Field(default=24.0, description="f_p, of the sines")
@@ -171,6 +202,7 @@ class PlateMotion(Model):
     stroke: Annotated[float, PLATE_STROKE] = Field(default=0.003, description="B_p, linear amplitude along the bar")
     height: Offset = Field(default=0.0, description="height of the plate's surface above the axis that it turns about")
     ramp: Delay = Field(default=0.1, description="duration of the smooth start")
+    offset: Held = Field(default_factory=Held, description="where the plate is held off its rest, from the start on")
     waves: tuple[Wave, ...] = Field(
         default=(),
         description="further sines, on any axis",
@@ -185,18 +217,19 @@ class PlateMotion(Model):
     def _read_file(cls, value: Any) -> Any:
         return read_samples(Path(value), field="") if isinstance(value, (str, Path)) else value
 
-    def terms(self) -> list[tuple[int, float, float, float]]:
+    @cached_property
+    def _terms(self) -> tuple[tuple[int, float, float, float], ...]:
+        waves = [(AXES.index(w.axis), w.amplitude, w.ratio * self.frequency, w.phase / (2 * math.pi)) for w in self.waves]
+        short = [(AXES.index("x"), self.stroke, self.frequency, 0.0), (AXES.index("rx"), -self.angle, self.frequency, 0.0)]
+        return tuple(term for term in (*short, *waves) if term[1] != 0)
+
+    def terms(self) -> tuple[tuple[int, float, float, float], ...]:
         """Sines as (degree of freedom, amplitude, frequency in Hz, phase in turns)."""
-        short = [Wave(axis="x", amplitude=self.stroke), Wave(axis="rx", amplitude=-self.angle)]
-        return [
-            (AXES.index(w.axis), w.amplitude, w.ratio * self.frequency, w.phase / (2 * math.pi))
-            for w in (*short, *self.waves)
-            if w.amplitude != 0
-        ]
+        return self._terms
 
     def pose_at_start(self) -> NDArray[np.float64]:
-        """(6,) translations and rotations that the plate starts from, m and rad: none where it starts smoothly."""
-        pose = np.zeros(len(AXES))
+        """(6,) translations and rotations that the plate starts from, m and rad: its offset where it starts smoothly."""
+        pose = np.array(self.offset.pose)
         if self.ramp > SHORTEST_RAMP:
             return pose
         for d, amplitude, _, phase in self.terms():
@@ -206,13 +239,13 @@ class PlateMotion(Model):
                 pose[d] += values[0]
         return pose
 
-    @property
+    @cached_property
     def shortest_period(self) -> float:
         """Period of the fastest sine, s; infinite where there is none."""
         fastest = max((frequency for _, _, frequency, _ in self.terms()), default=0.0)
         return 1 / fastest if fastest > 0 else math.inf
 
-    @property
+    @cached_property
     def period(self) -> float:
         """Time after which the sines repeat, s: that of the frequency, or a multiple where ratios are not whole.
 

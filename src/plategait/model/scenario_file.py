@@ -58,6 +58,8 @@ def _table(model: Model, prefix: str, notes: dict[str, str]) -> list[str]:
         value = getattr(model, name)
         dotted = f"{prefix}{name}"
         remark = "; ".join(filter(None, [field.description, notes.get(dotted)]))
+        if name == "offset" and value == field.get_default(call_default_factory=True):
+            continue
         if isinstance(value, Model) and name != "samples":
             nested += ["", f"# {remark}" if remark else "", f"[{dotted}]", *_table(value, f"{dotted}.", notes)]
             continue

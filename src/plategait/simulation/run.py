@@ -135,7 +135,7 @@ def simulate_all(
     offsets = starts(repeats, seed)
     runs = [RunRequest(scenario, offset, interval) for scenario in checked for offset in offsets]
     begun = time.perf_counter()
-    recordings = row.load()(runs, threads=threads, progress=progress)
+    recordings = row.run(runs, threads=threads, progress=progress)
     wall = time.perf_counter() - begun
     total = sum(r.steps * r.dt for r in recordings)
     simulations = []

@@ -1,0 +1,195 @@
+"""Runs of like lattices, side by side in the core: what they are, where they are, and how they go on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+import plategait._native as _native  # pyright: ignore[reportMissingImports]
+from plategait.arrays import Array, Flags
+from plategait.engine.packing import Numbers, Told, features_of, lines_of, pack_courses, parameters_of
+from plategait.engine.piece import Piece
+from plategait.engine.recording import RunRequest
+from plategait.model.course import Course, course_of, gone_over, still_needed
+from plategait.model.motion import PlateMotion
+
+Precision = Literal["float32", "float64"]
+Counts = NDArray[np.int64]
+
+# Places in the core's clock (native/parameters.hpp).
+TAKEN, _SEEN, DUE, SAMPLED = range(4)
+CHANNEL = {name: c for c, name in enumerate(_native.CHANNELS)}
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """Where runs are. Its arrays are never written to: a copy is the same state.
+
+    Attributes
+    ----------
+    x, v, edge : (n, n_nodes, 3) arrays
+        Positions, m, velocities, m/s, and what the edge of a finite plate remembers; that one is empty without.
+    tally : (n, n_tallies) array
+        What has added up since the last sample.
+    clock : (n, 4) int array
+        Steps taken, when the last sample was taken and when the next is due, samples taken.
+    last : (n, n_channels) array
+        What the runs show now.
+    diverged : (n,) bool array
+    """
+
+    x: Array
+    v: Array
+    edge: Array
+    tally: Array
+    clock: Counts
+    last: NDArray[np.floating]
+    diverged: Flags
+
+
+class Batch:
+    """Runs of like lattices.
+
+    Parameters
+    ----------
+    runs : sequence of RunRequest
+        Of one lattice.
+    precision : {"float32", "float64"}
+        Of the arithmetic.
+    ends : bool
+        Whether every run ends with its scenario's duration, so that no sampled trajectory is wanted beyond.
+    """
+
+    def __init__(self, runs: Sequence[RunRequest], precision: Precision, ends: bool) -> None:
+        self.runs, self.precision, self._ends = list(runs), precision, ends
+        self.courses: list[Course] = [course_of(r.scenario.motion) for r in runs]
+        self.stride = np.array([r.stride for r in runs], dtype=np.int64)
+        # A sample's time counts from where the stride was last changed.
+        self._since_sample, self._since_time = np.zeros(len(runs), dtype=np.int64), np.zeros(len(runs))
+        self._thinning = np.array([r.thinning for r in runs], dtype=np.int64)
+        self._fixed: Numbers = lines_of(runs[0].lattice)
+        self._describe()
+        self.state = self._start()
+
+    def _describe(self) -> None:
+        rows = [parameters_of(r.scenario) for r in self.runs]
+        self._parameters = np.array([[row[name] for row in rows] for name in _native.PARAMETERS])
+        self._features = features_of(self.runs, self._parameters)
+        self.dt = np.array([r.scenario.dt for r in self.runs])
+        self._packed: Numbers | None = None
+
+    def _start(self) -> State:
+        n = len(self.runs)
+        x, v = (np.stack(vectors) for vectors in zip(*(r.start() for r in self.runs), strict=True))
+        return State(
+            x=x, v=v, edge=np.zeros_like(x) if self._features[2] else np.zeros(0),
+            tally=np.zeros((n, _native.N_TALLIES)), clock=np.zeros((n, _native.N_CLOCKS), dtype=np.int64),
+            last=np.full((n, len(CHANNEL)), np.nan, dtype=self.precision), diverged=np.zeros(n, dtype=bool),
+        )  # fmt: skip
+
+    def copy(self) -> Batch:
+        """The same runs where they are, to go on with by themselves."""
+        other = Batch.__new__(Batch)
+        other.__dict__.update(self.__dict__)
+        other.runs, other.courses = list(self.runs), list(self.courses)
+        other.stride, other._since_sample, other._since_time = (
+            self.stride.copy(), self._since_sample.copy(), self._since_time.copy()
+        )  # fmt: skip
+        return other
+
+    @property
+    def time(self) -> Array:
+        """(n,) time of each run, s."""
+        return self.state.clock[:, TAKEN] * self.dt
+
+    def change(self, j: int, motion: PlateMotion, duration: float) -> None:
+        """Let the plate of a run go over to another motion from now on, within a duration, s."""
+        clock, dt = self.state.clock[j], float(self.dt[j])
+        self.courses[j] = gone_over(self.courses[j], motion, float(clock[TAKEN]) * dt, duration)
+        self._packed = None
+        stride = replace_motion(self.runs[j], motion).stride
+        if stride != self.stride[j]:
+            self._since_time[j] = clock[DUE] * dt
+            self._since_sample[j] = clock[SAMPLED]
+            self.stride[j] = stride
+
+    def reset(self, j: int, run: RunRequest) -> None:
+        """Let a run start anew, as another of the same lattice."""
+        self.runs[j], self.courses[j] = run, course_of(run.scenario.motion)
+        self.stride[j], self._thinning[j] = run.stride, run.thinning
+        self._since_sample[j], self._since_time[j] = 0, 0.0
+        self._describe()
+        x, v, tally, clock, last, diverged = (
+            array.copy() for array in (self.state.x, self.state.v, self.state.tally, self.state.clock, self.state.last,
+                                       self.state.diverged)
+        )  # fmt: skip
+        x[j], v[j] = run.start()
+        tally[j], clock[j], last[j], diverged[j] = 0.0, 0, np.nan, False
+        edge = np.zeros_like(x) if self._features[2] and not self.state.edge.size else self.state.edge
+        self.state = State(x, v, edge, tally, clock, last, diverged)
+
+    def samples_within(self, steps: Counts) -> Counts:
+        """(n,) samples that fall due while so many steps are taken."""
+        due, end = self.state.clock[:, DUE], self.state.clock[:, TAKEN] + steps
+        return np.where((due <= end) & (steps > 0), (end - due) // self.stride + 1, 0)
+
+    def advanced(self, steps: Counts, threads: int, level: str, report: Callable[[int], None]) -> tuple[State, Piece]:
+        """Where the runs are some steps later, and what they recorded on the way; the batch itself stays.
+
+        Parameters
+        ----------
+        steps : (n,) int array
+            Steps to take; none are taken of a run that has diverged.
+        """
+        n, before = len(self.runs), self.state
+        steps = np.where(before.diverged, 0, steps)
+        # Only what the core counts as it goes is written to, and in a copy.
+        x, v, edge, tally, clock, last = (
+            array.copy() for array in (before.x, before.v, before.edge, before.tally, before.clock, before.last)
+        )
+        n_samples, first = self.samples_within(steps), before.clock[:, SAMPLED]
+        n_pictures = _multiples(first + n_samples, self._thinning) - _multiples(first, self._thinning)
+        samples = np.full((n, int(n_samples.max()), len(CHANNEL)), np.nan, dtype=self.precision)
+        snapshots = np.zeros((n, int(n_pictures.max()), *x.shape[1:]), dtype=np.float32)
+        getattr(_native, f"advance_{self.precision}")(
+            **self._fixed, **self._courses_now(), n_axial_lines=len(self.runs[0].lattice.axial_lines),
+            features=self._features, parameters=self._parameters, steps=steps, stride=self.stride,
+            thinning=self._thinning, x=x, v=v, edge=edge, tally=tally, clock=clock, samples=samples,
+            snapshots=snapshots, last=last, level=level, threads=threads, progress=report,
+        )  # fmt: skip
+        taken = clock[:, TAKEN] - before.clock[:, TAKEN]
+        written = clock[:, SAMPLED] - first
+        interval = self.stride * self.dt
+        piece = Piece(
+            samples=samples, written=written, first=first, snapshots=snapshots, thinning=self._thinning.copy(),
+            pictured=_multiples(first + written, self._thinning) - _multiples(first, self._thinning),
+            since_sample=self._since_sample.copy(), since_time=self._since_time.copy(), interval=interval,
+            x=x, v=v, dt=self.dt, steps=taken, stopped=before.diverged | (taken < steps),
+        )  # fmt: skip
+        return State(x, v, edge, tally, clock, last, before.diverged | (taken < steps)), piece
+
+    def _courses_now(self) -> Numbers:
+        time = self.time.tolist()
+        for j, course in enumerate(self.courses):
+            if len(course) > 1 and len(needed := still_needed(course, time[j])) < len(course):
+                self.courses[j], self._packed = needed, None
+        if self._packed is None:
+            ends = [r.steps * r.scenario.dt if self._ends else np.inf for r in self.runs]
+            told = [Told(r.scenario, course, end) for r, course, end in zip(self.runs, self.courses, ends, strict=True)]
+            self._packed = pack_courses(told)
+        return self._packed
+
+
+def replace_motion(run: RunRequest, motion: PlateMotion) -> RunRequest:
+    """A run with another motion, whose time step stays."""
+    dt = run.scenario.dt
+    return replace(run, scenario=run.scenario.model_copy(update={"motion": motion, "time_step": dt}))
+
+
+def _multiples(count: Counts, of: Counts) -> Counts:
+    """How many whole multiples there are below a count, 0 among them; none of 0."""
+    return np.where(of > 0, -(-count // np.maximum(of, 1)), 0)
