@@ -16,6 +16,7 @@ from statistics import median
 
 import numpy as np
 
+from benchmarks import sessions
 from plategait.engine import cpu
 from plategait.engine.recording import RunRequest
 from plategait.model.outline import Disk
@@ -97,6 +98,13 @@ def scaling() -> dict[int, float]:
     return {counts[name]: value for name, value in medians(ways).items()}
 
 
+def session_throughput() -> dict[str, float]:
+    """Simulated seconds per second of a session of the batch of 64, by how it is cut into pieces."""
+    scenarios = [run.scenario for run in batch()]
+    taken = [sessions.ways(scenarios) for _ in range(REPEATS)]
+    return {name: median(each[name] for each in taken) for name in taken[0]}
+
+
 def command_times() -> dict[str, float]:
     """Wall seconds of whole commands, from typing to the last line."""
     command = str(Path(sys.executable).with_name("plategait"))
@@ -123,10 +131,15 @@ def command_times() -> dict[str, float]:
 def main() -> None:
     """Measure and print."""
     np.seterr(all="ignore")
-    rates, costs, commands = throughput(), scaling(), command_times()
+    rates, pieces, costs, commands = throughput(), session_throughput(), scaling(), command_times()
     machine = {"machine": platform.machine(), "cores": cpu.core_count(), "instruction_sets": cpu.instruction_sets()}
     if "--json" in sys.argv:
-        measured = {"simulated_s_per_s": rates, "ns_per_step_run_node": costs, "seconds": commands}
+        measured = {
+            "simulated_s_per_s": rates,
+            "session_simulated_s_per_s": pieces,
+            "ns_per_step_run_node": costs,
+            "seconds": commands,
+        }
         print(json.dumps({**machine, **measured}, indent=2))
         return
     first = next(iter(rates.values()))
@@ -136,6 +149,11 @@ def main() -> None:
     for name, rate in rates.items():
         print(f"  {name:55} {rate:14.0f} {rate / first:14.2f}")
     print(f"  target {TARGET:.0f}: {first / TARGET:.2f} of it; aim {AIM:.0f}: {first / AIM:.2f} of it\n")
+    whole = next(iter(pieces.values()))
+    print("a session of these 64 runs                                simulated s per s    ratio")
+    for name, rate in pieces.items():
+        print(f"  {name:55} {rate:14.0f} {rate / whole:14.2f}")
+    print(f"  target {sessions.TARGET:.2f} in pieces\n")
     print("one core, 16 runs side by side                            ns per step, run and node")
     smallest = next(iter(costs.values()))
     for n, cost in costs.items():

@@ -34,9 +34,14 @@ if TYPE_CHECKING:
     from plategait.model.fragment import Fragment as Fragment
     from plategait.model.fragment import read_fragment as read_fragment
     from plategait.model.fragment import write_fragment as write_fragment
+    from plategait.model.machine import MACHINES as MACHINES
+    from plategait.model.machine import Machine as Machine
+    from plategait.model.motion import Held as Held
     from plategait.model.motion import PlateMotion as PlateMotion
     from plategait.model.motion import Samples as Samples
     from plategait.model.motion import Wave as Wave
+    from plategait.model.needs import Needs as Needs
+    from plategait.model.needs import needs as needs
     from plategait.model.outline import Disk as Disk
     from plategait.model.outline import Ellipse as Ellipse
     from plategait.model.outline import Mask as Mask
@@ -57,6 +62,7 @@ if TYPE_CHECKING:
     from plategait.simulation.result import Simulation as Simulation
     from plategait.simulation.run import simulate as simulate
     from plategait.simulation.run import simulate_all as simulate_all
+    from plategait.simulation.session import Session as Session
     from plategait.version import __version__ as __version__
 
 _HOMES = {
@@ -72,7 +78,9 @@ _HOMES = {
     "estimate.result": ("Estimate", "estimate_parameters"),
     "model.contact": ("Contact", "Friction"),
     "model.fragment": ("Fragment", "read_fragment", "write_fragment"),
-    "model.motion": ("PlateMotion", "Samples", "Wave"),
+    "model.machine": ("MACHINES", "Machine"),
+    "model.motion": ("Held", "PlateMotion", "Samples", "Wave"),
+    "model.needs": ("Needs", "needs"),
     "model.outline": ("Disk", "Ellipse", "Mask", "Polygon", "Rectangle"),
     "model.presets": ("PRESETS", "preset"),
     "model.scenario": ("Plate", "Scenario", "Start"),
@@ -82,6 +90,7 @@ _HOMES = {
     "simulation.registry": ("Observable", "add_observable"),
     "simulation.result": ("Simulation",),
     "simulation.run": ("simulate", "simulate_all"),
+    "simulation.session": ("Session",),
     "version": ("__version__",),
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}

@@ -15,7 +15,8 @@ using namespace plategait;
 // One thread, one run: arrays are interleaved over the runs.
 extern "C" __global__ void advance_runs(Topology topology, const float* parameters, int n_terms,
                                         const int* layer_terms, const int* term_dof, const Term<float>* terms,
-                                        int n_layers, const Layer<float>* layers, const double* knots, float* nodes, int n_runs, int steps, float* channels) {
+                                        int n_layers, const Layer<float>* layers, const double* knots, float* nodes,
+                                        int n_runs, int steps, float* channels) {
   const int run = blockIdx.x * blockDim.x + threadIdx.x;
   if (run >= n_runs) return;
   float parameter[N_PARAMETERS];

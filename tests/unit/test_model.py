@@ -443,9 +443,9 @@ def test_a_run_that_flies_apart_has_a_status_and_no_number(engine, monkeypatch):
 
 def test_the_short_form_is_two_sines():
     motion = PlateMotion(frequency="12 Hz", angle="12 deg", stroke="3 mm")
-    assert motion.terms() == [(0, 0.003, 12.0, 0.0), (3, -math.radians(12), 12.0, 0.0)]
+    assert motion.terms() == ((0, 0.003, 12.0, 0.0), (3, -math.radians(12), 12.0, 0.0))
     assert motion.period == pytest.approx(1 / 12, rel=1e-15)
-    assert PlateMotion(angle=0, stroke=0).terms() == []
+    assert PlateMotion(angle=0, stroke=0).terms() == ()
 
 
 @pytest.mark.parametrize(("ratios", "periods"), [((1,), 1), ((2, 3), 1), ((0.5,), 2), ((1.5, 2 / 3), 6), ((0.25,), 4)])

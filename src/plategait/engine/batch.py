@@ -104,7 +104,7 @@ class Batch:
     @property
     def time(self) -> Array:
         """(n,) time of each run, s."""
-        return self.state.clock[:, TAKEN] * self.dt
+        return self.state.clock[:, TAKEN].astype(float) * self.dt
 
     def change(self, j: int, motion: PlateMotion, duration: float) -> None:
         """Let the plate of a run go over to another motion from now on, within a duration, s."""
@@ -123,13 +123,12 @@ class Batch:
         self.stride[j], self._thinning[j] = run.stride, run.thinning
         self._since_sample[j], self._since_time[j] = 0, 0.0
         self._describe()
-        x, v, tally, clock, last, diverged = (
-            array.copy() for array in (self.state.x, self.state.v, self.state.tally, self.state.clock, self.state.last,
-                                       self.state.diverged)
-        )  # fmt: skip
+        before = self.state
+        x, v, tally, clock = before.x.copy(), before.v.copy(), before.tally.copy(), before.clock.copy()
+        last, diverged = before.last.copy(), before.diverged.copy()
         x[j], v[j] = run.start()
         tally[j], clock[j], last[j], diverged[j] = 0.0, 0, np.nan, False
-        edge = np.zeros_like(x) if self._features[2] and not self.state.edge.size else self.state.edge
+        edge = np.zeros_like(x) if self._features[2] and not before.edge.size else before.edge
         self.state = State(x, v, edge, tally, clock, last, diverged)
 
     def samples_within(self, steps: Counts) -> Counts:
@@ -147,10 +146,9 @@ class Batch:
         """
         n, before = len(self.runs), self.state
         steps = np.where(before.diverged, 0, steps)
-        # Only what the core counts as it goes is written to, and in a copy.
-        x, v, edge, tally, clock, last = (
-            array.copy() for array in (before.x, before.v, before.edge, before.tally, before.clock, before.last)
-        )
+        # The core writes into copies.
+        x, v, edge = before.x.copy(), before.v.copy(), before.edge.copy()
+        tally, clock, last = before.tally.copy(), before.clock.copy(), before.last.copy()
         n_samples, first = self.samples_within(steps), before.clock[:, SAMPLED]
         n_pictures = _multiples(first + n_samples, self._thinning) - _multiples(first, self._thinning)
         samples = np.full((n, int(n_samples.max()), len(CHANNEL)), np.nan, dtype=self.precision)
@@ -163,7 +161,7 @@ class Batch:
         )  # fmt: skip
         taken = clock[:, TAKEN] - before.clock[:, TAKEN]
         written = clock[:, SAMPLED] - first
-        interval = self.stride * self.dt
+        interval = self.stride.astype(float) * self.dt
         piece = Piece(
             samples=samples, written=written, first=first, snapshots=snapshots, thinning=self._thinning.copy(),
             pictured=_multiples(first + written, self._thinning) - _multiples(first, self._thinning),
@@ -187,7 +185,7 @@ class Batch:
 def replace_motion(run: RunRequest, motion: PlateMotion) -> RunRequest:
     """A run with another motion, whose time step stays."""
     dt = run.scenario.dt
-    return replace(run, scenario=run.scenario.model_copy(update={"motion": motion, "time_step": dt}))
+    return replace(run, scenario=run.scenario.with_valid(motion=motion, time_step=dt))
 
 
 def _multiples(count: Counts, of: Counts) -> Counts:

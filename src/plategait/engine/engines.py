@@ -1,6 +1,7 @@
 """Engines by name, behind one contract: runs in, sessions that advance them out.
 
-An engine is a module with a class that keeps the contract of `plategait.engine.session.Session`, a name in `Engine` and a row in `ENGINES`.
+An engine is a module with a class that keeps the contract of `plategait.engine.session.Session`, a name in `Engine`
+and a row in `ENGINES`.
 """
 
 from __future__ import annotations

@@ -93,5 +93,5 @@ def check_room(samples: NDArray[np.int64], channels: int, precision: str) -> Non
     needed = float(np.dtype(precision).itemsize * channels * len(samples) * int(samples.max()))
     if needed < _ALWAYS_THERE or needed <= (there := available_memory()):
         return
-    raise InputError("duration", f"samples of {needed / _GB:.3g} GB", f"at most the {there / _GB:.3g} GB that there are",
+    raise InputError("duration", f"samples of {needed / _GB:.3g} GB", f"within the {there / _GB:.3g} GB that there are",
                      "to advance in shorter pieces")  # fmt: skip

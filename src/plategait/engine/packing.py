@@ -105,7 +105,9 @@ def pack_courses(told: Sequence[Told]) -> Numbers:
         dofs.append(dof)
         numbers.append(terms)
         ends.append(ends[-1] + len(dof))
-    knots, first, count = tables([t.followed(layer) if layer else None for row in rows for t, layer in zip(told, row, strict=True)])
+    knots, first, count = tables(
+        [t.followed(layer) if layer else None for row in rows for t, layer in zip(told, row, strict=True)]
+    )
     return {
         "layer_terms": np.array(ends, dtype=np.int32),
         "term_dof": np.concatenate(dofs), "terms": np.concatenate(numbers),
@@ -116,20 +118,28 @@ def pack_courses(told: Sequence[Told]) -> Numbers:
 
 def _layers(row: Sequence[Layer | None], told: Sequence[Told]) -> NDArray[np.float64]:
     """(numbers of a layer, n_runs), in the core's order."""
-    return np.array(
-        [
-            (layer.begin, layer.duration, layer.table_begin, table_step(t.scenario, layer.motion), *layer.motion.offset.pose)
-            if layer else (0.0, 0.0, 0.0, 1.0, *t.course[0].motion.offset.pose)
-            for layer, t in zip(row, told, strict=True)
-        ]
-    ).T  # fmt: skip
+    nothing = (0.0, 0.0, 0.0, 1.0)
+    numbers = [
+        (layer.begin, layer.duration, layer.table_begin, table_step(t.scenario, layer.motion)) if layer else nothing
+        for layer, t in zip(row, told, strict=True)
+    ]
+    held = [(layer or t.course[0]).motion.offset.pose for layer, t in zip(row, told, strict=True)]
+    return np.concatenate([np.array(numbers), np.array(held)], axis=1).T.copy()
 
 
-def _terms(by_run: Sequence[Sequence[tuple[int, float, float, float]]]) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
+def _terms(
+    by_run: Sequence[Sequence[tuple[int, float, float, float]]],
+) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
     """Sines of every run in shared slots: degree of freedom of each slot, (n_slots, 3, n_runs) numbers."""
-    most = [max(sum(term[0] == d for term in terms) for terms in by_run) for d in range(len(AXES))]
-    first = np.cumsum([0, *most])
-    numbers = np.zeros((int(first[-1]), 3, len(by_run)))
+    which = {tuple(term[0] for term in terms) for terms in by_run}
+    if len(which) == 1:  # as most are, and many times faster
+        dofs = np.array(which.pop(), dtype=np.int32)
+        order = np.argsort(dofs, kind="stable")
+        whole = np.array(by_run, dtype=float).reshape(len(by_run), len(dofs), 4)
+        return dofs[order], np.ascontiguousarray(whole[:, order, 1:].transpose(1, 2, 0))
+    most = [max(dofs.count(d) for dofs in which) for d in range(len(AXES))]
+    first = np.cumsum([0, *most]).tolist()
+    numbers = np.zeros((first[-1], 3, len(by_run)))
     for j, terms in enumerate(by_run):
         free = list(first)
         for dof, *values in terms:

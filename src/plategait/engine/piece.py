@@ -56,7 +56,7 @@ class Piece:
     stopped: Flags
 
     def time(self, j: int) -> Array:
-        """Times of a run's samples, s. They count in steps: the core's own precision does not reach a long run's end."""
+        """Times of a run's samples, s, counted in steps: the core's precision does not reach a long run's end."""
         since = np.arange(self.written[j], dtype=np.float64) + float(self.first[j] - self.since_sample[j])
         return float(self.since_time[j]) + since * float(self.interval[j])
 
@@ -72,6 +72,6 @@ class Piece:
         diverged = self.stopped[j] or not (np.isfinite(series).all() and np.isfinite(self.x[j]).all())
         return Recording(
             channels=channels, snapshot_time=channels["time"][every][:pictured], snapshots=self.snapshots[j, :pictured],
-            plate_pose=pose[every][:pictured], positions=self.x[j].copy(), velocities=self.v[j].copy(), dt=float(self.dt[j]),
-            steps=int(self.steps[j]), diverged=bool(diverged),
+            plate_pose=pose[every][:pictured], positions=self.x[j].copy(), velocities=self.v[j].copy(),
+            dt=float(self.dt[j]), steps=int(self.steps[j]), diverged=bool(diverged),
         )  # fmt: skip

@@ -142,7 +142,15 @@ class Group:
         """Runs at their start."""
         n = len(runs)
         return Group(
-            runs, substeps_of(runs)[0], tile_model(runs), _plate(runs), _start(runs), _Tally(n), None, 0, np.zeros(n, bool)
+            runs,
+            substeps_of(runs)[0],
+            tile_model(runs),
+            _plate(runs),
+            _start(runs),
+            _Tally(n),
+            None,
+            0,
+            np.zeros(n, bool),
         )
 
     def shows(self, channel: str) -> Array:
@@ -150,7 +158,9 @@ class Group:
         everyone = np.arange(len(self.runs))
         with np.errstate(all="ignore"):
             time = self.count * self.runs[0].scenario.dt / self.substeps
-            state = _sample(self.model, self.plate, self.runs[0], self.tiles, self.tiles.pull(self.model), time, everyone)
+            state = _sample(
+                self.model, self.plate, self.runs[0], self.tiles, self.tiles.pull(self.model), time, everyone
+            )
         known = channel in state and self.count > 0
         return np.broadcast_to(state[channel] if known else np.nan, len(self.runs)).astype(float)
 
@@ -195,11 +205,12 @@ def advanced(group: Group, steps: int, report: Callable[[float], object]) -> tup
             tiles, work = step(model, plate, tiles, pull, time, dt)
             tally.add(work, across > across.mean(axis=0))
             before = pull
-    return _piece(replace(group, tiles=tiles, tally=tally, before=before, count=end), samples, first, most, shapes, pictured)
+    after = replace(group, tiles=tiles, tally=tally, before=before, count=end)
+    return _piece(after, steps, samples, first, most, shapes, pictured)
 
 
 def _piece(
-    group: Group, samples: Array, first: Counts, most: Counts, shapes: NDArray[np.float32], pictured: Counts
+    group: Group, steps: int, samples: Array, first: Counts, most: Counts, shapes: NDArray[np.float32], pictured: Counts
 ) -> tuple[Group, Piece]:
     """A group and the piece that it recorded, each run to where it ceased to be finite."""
     runs, dt, n = group.runs, group.runs[0].scenario.dt, len(group.runs)
@@ -209,12 +220,13 @@ def _piece(
     written = np.array([int(at[0]) + 1 if len(at) else int(m) for at, m in zip(unsound, most, strict=True)])
     ended = written < most
     broken = group.broken | np.array([len(at) > 0 for at in unsound]) | ~np.isfinite(positions).all(axis=(1, 2))
-    taken = np.where(ended, (first + written - 1) * stride, group.count // group.substeps)
+    begun = group.count // group.substeps - steps
+    taken = np.where(ended, (first + written - 1) * stride - begun, steps)
     piece = Piece(
         samples=samples, written=written, first=first, snapshots=shapes, thinning=thinning,
         pictured=np.minimum(pictured, np.where(thinning > 0, -(-written // np.maximum(thinning, 1)), 0)),
-        since_sample=np.zeros(n, dtype=np.int64), since_time=np.zeros(n), interval=stride * dt, x=positions, v=velocities,
-        dt=np.full(n, dt), steps=taken, stopped=broken,
+        since_sample=np.zeros(n, dtype=np.int64), since_time=np.zeros(n), interval=stride * dt, x=positions,
+        v=velocities, dt=np.full(n, dt), steps=taken, stopped=broken,
     )  # fmt: skip
     return replace(group, broken=broken), piece
 

@@ -45,7 +45,9 @@ class Session:
         if ends:
             check_memory(runs, 8 * len(CHANNELS), len(CHANNELS))
         self._runs = len(runs)
-        self._indices = [indices for _, group in _groups(runs) for indices in ([group] if ends else [[i] for i in group])]
+        self._indices = [
+            indices for _, group in _groups(runs) for indices in ([group] if ends else [[i] for i in group])
+        ]
         self._groups = [Group.begun([runs[i] for i in indices]) for indices in self._indices]
 
     def copy(self) -> Session:
@@ -109,9 +111,7 @@ class Session:
         return whole
 
 
-def run(
-    runs: Sequence[RunRequest], *, threads: int | None = None, progress: Progress | None = None
-) -> list[Recording]:
+def run(runs: Sequence[RunRequest], *, threads: int | None = None, progress: Progress | None = None) -> list[Recording]:
     """Advance runs to their ends, as a session does.
 
     Raises

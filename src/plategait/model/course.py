@@ -1,8 +1,8 @@
 """The course of a plate: the motions that it was given one after the other, each gone over to without a jolt.
 
-The native core moves the plate by the same rule (`native/plate.hpp`): each layer's motion takes over from what the plate
-did before it by a quintic from 0 to 1, so that position, speed and acceleration are continuous. The smooth start is the
-first layer's, from where the motion holds the plate.
+The native core moves the plate by the same rule (`native/plate.hpp`): each layer's motion takes over from what the
+plate did before it by a quintic from 0 to 1, so that position, speed and acceleration are continuous. The smooth start
+is the first layer's, from where the motion holds the plate.
 """
 
 from __future__ import annotations
@@ -93,8 +93,10 @@ def kinematics(course: Course, time: Array) -> Kinematics:
         target = _of_motion(layer, time)
         w, w1, w2, w3 = _level(time - layer.begin, layer.duration)
         p, v, a, j = target - moves
-        moves = moves + [w * p, w1 * p + w * v, w2 * p + 2 * w1 * v + w * a,
-                         w3 * p + 3 * w2 * v + 3 * w1 * a + w * j]  # fmt: skip
+        moves[0] += w * p
+        moves[1] += w1 * p + w * v
+        moves[2] += w2 * p + 2 * w1 * v + w * a
+        moves[3] += w3 * p + 3 * w2 * v + 3 * w1 * a + w * j
     return Kinematics(*moves)
 
 
@@ -125,4 +127,3 @@ def _of_motion(layer: Layer, time: Array) -> Array:
     if layer.motion.samples is not None:
         moves += layer.motion.samples.derivatives(time - layer.table_begin)
     return moves
-

@@ -191,8 +191,8 @@ class PlateMotion(Model):
     """Motion of the plate. The short form is (4.1), (4.2): Θ(t) = −A_p sin ω_p t about the bar, X(t) = B_p sin ω_p t.
 
     The rotation is Rx(Θx) Ry(Θy) Rz(Θz), about a point `height` below the middle of the plate's surface: the bar's axis
-    where the plate lies on the bar. `waves` add to the short form, `samples` to both, and `offset` is where the plate is
-    held meanwhile: before it starts, the object lies on a plate that stands there.
+    where the plate lies on the bar. `waves` add to the short form, `samples` to both, and `offset` is where the plate
+    is held meanwhile: before it starts, the object lies on a plate that stands there.
     """
 
     frequency: Frequency = Field(default=24.0, description="f_p, of the sines")
@@ -219,8 +219,13 @@ class PlateMotion(Model):
 
     @cached_property
     def _terms(self) -> tuple[tuple[int, float, float, float], ...]:
-        waves = [(AXES.index(w.axis), w.amplitude, w.ratio * self.frequency, w.phase / (2 * math.pi)) for w in self.waves]
-        short = [(AXES.index("x"), self.stroke, self.frequency, 0.0), (AXES.index("rx"), -self.angle, self.frequency, 0.0)]
+        waves = [
+            (AXES.index(w.axis), w.amplitude, w.ratio * self.frequency, w.phase / (2 * math.pi)) for w in self.waves
+        ]
+        short = [
+            (AXES.index("x"), self.stroke, self.frequency, 0.0),
+            (AXES.index("rx"), -self.angle, self.frequency, 0.0),
+        ]
         return tuple(term for term in (*short, *waves) if term[1] != 0)
 
     def terms(self) -> tuple[tuple[int, float, float, float], ...]:
@@ -228,7 +233,7 @@ class PlateMotion(Model):
         return self._terms
 
     def pose_at_start(self) -> NDArray[np.float64]:
-        """(6,) translations and rotations that the plate starts from, m and rad: its offset where it starts smoothly."""
+        """(6,) translations and rotations that the plate starts from, m and rad: its offset in a smooth start."""
         pose = np.array(self.offset.pose)
         if self.ramp > SHORTEST_RAMP:
             return pose

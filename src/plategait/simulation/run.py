@@ -21,7 +21,7 @@ from plategait.simulation.observation import observe
 from plategait.simulation.result import Simulation
 from plategait.units import Quantity
 
-_INTERVAL = Quantity("s", "s", "0.002 s", at_least=0)
+INTERVAL = Quantity("s", "s", "0.002 s", at_least=0)
 
 # Spread of the starts of an ensemble: a tenth of a millimetre and a degree are what a hand cannot place better.
 START_SPREAD = 1e-4
@@ -125,13 +125,11 @@ def simulate_all(
         When interrupted from the keyboard.
     """
     row = engines.engine(engine)
-    whole = [("repeats", repeats, 1, MOST_REPEATS), ("seed", seed, 0, 10**6)]
-    whole += [("threads", threads, 1, MOST_THREADS)] if threads is not None else []
-    for name, number, least, most in whole:
-        if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or not least <= number <= most:
-            raise InputError(name, number, f"a whole number from {least} to {most}", str(max(least, 4)))
-    interval = _INTERVAL.read(snapshot_interval, "snapshot_interval")
-    checked = _scenarios(scenarios)
+    check_whole("repeats", repeats, 1, MOST_REPEATS)
+    check_whole("seed", seed, 0, 10**6)
+    check_threads(threads)
+    interval = INTERVAL.read(snapshot_interval, "snapshot_interval")
+    checked = scenarios_of(scenarios)
     offsets = starts(repeats, seed)
     runs = [RunRequest(scenario, offset, interval) for scenario in checked for offset in offsets]
     begun = time.perf_counter()
@@ -147,7 +145,29 @@ def simulate_all(
     return simulations
 
 
-def _scenarios(scenarios: Sequence[Scenario | Preset | Path | str]) -> list[Scenario]:
+def check_whole(name: str, number: object, least: int, most: int) -> None:
+    """Refuse what is no whole number within bounds.
+
+    Raises
+    ------
+    InputError
+    """
+    if isinstance(number, bool) or not isinstance(number, (int, np.integer)) or not least <= number <= most:
+        raise InputError(name, number, f"a whole number from {least} to {most}", str(max(least, 4)))
+
+
+def check_threads(threads: int | None) -> None:
+    """Refuse a number of threads that no machine has; None stands for all cores.
+
+    Raises
+    ------
+    InputError
+    """
+    if threads is not None:
+        check_whole("threads", threads, 1, MOST_THREADS)
+
+
+def scenarios_of(scenarios: Sequence[Scenario | Preset | Path | str]) -> list[Scenario]:
     """Scenarios of a list of what tells them."""
     if isinstance(scenarios, (str, Path, Scenario, Preset)) or not hasattr(scenarios, "__iter__"):
         raise InputError("scenarios", "nothing like a list", "a list of scenarios", f'["{PRESETS[0]}"]')

@@ -1,0 +1,97 @@
+"""Sessions: rollouts, resets, what they show on the way, and what they refuse."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import plategait as pg
+
+CHEESE = pg.preset("cheese").scenario
+MOTION = CHEESE.motion.replace(frequency=18.0)
+
+
+def test_a_rollout_leaves_the_session_as_it_is_and_can_be_taken_back():
+    session = pg.Session([CHEESE] * 2)
+    session.advance(MOTION, 0.05)
+    saved, poses = session.copy(), session.poses
+    session.advance(MOTION.replace(angle=0.2), 0.1)
+    there = session.poses
+    np.testing.assert_array_equal(saved.poses, poses)
+    session.restore(saved)
+    np.testing.assert_array_equal(session.poses, poses)
+    session.advance(MOTION.replace(angle=0.2), 0.1)
+    np.testing.assert_array_equal(session.poses, there)
+    np.testing.assert_array_equal(saved.poses, poses)
+
+
+def test_observables_on_the_way_are_those_of_a_run():
+    session = pg.Session([CHEESE.replace(duration=1.0)])
+    for _ in range(60):
+        session.advance(None, 1 / 60)
+    ours, theirs = session.observe(0), pg.simulate(CHEESE.replace(duration=1.0)).observations[0]
+    assert ours.spin == theirs.spin
+    assert ours.values == theirs.values
+    assert ours.energy == theirs.energy
+
+
+def test_an_observation_is_of_the_motion_since_it_changed():
+    session = pg.Session([CHEESE.replace(**{"motion.frequency": 18.0})])
+    session.advance(None, 0.5)
+    session.advance(MOTION.replace(angle=-MOTION.angle), 1.0)
+    assert session.observe(0, transient=0.3).spin.rate < 0 < pg.simulate(session.scenarios[0]).spin_rate
+
+
+def test_a_session_keeps_as_much_as_it_is_told():
+    session = pg.Session([CHEESE], keep=0.1)
+    for _ in range(30):
+        session.advance(None, 0.02)
+    assert np.ptp(session.recording(0)["time"]) == pytest.approx(0.1, abs=0.02)
+    assert session.recording(0)["time"][-1] == pytest.approx(0.6, abs=2e-3)
+
+
+def test_poses_before_and_after_the_first_advance():
+    start = CHEESE.replace(**{"start.x": 1e-3, "start.angle": "30 deg"})
+    session = pg.Session([start])
+    at_first = session.poses[0].copy()
+    assert at_first == pytest.approx([1e-3, 0, np.pi / 6])
+    session.advance(None, 1e-4)
+    assert session.poses[0] == pytest.approx(at_first, abs=1e-5)
+
+
+def test_a_session_may_mix_lattices_and_reset_one_by_a_flag():
+    small = CHEESE.replace(**{"sheet.outline": pg.Rectangle(length=0.05, width=0.03), "sheet.mass": 4e-3})
+    session = pg.Session([CHEESE, small, CHEESE])
+    session.advance([None, MOTION, MOTION], 0.1)
+    assert [m.frequency for m in session.motions] == [CHEESE.motion.frequency, 18.0, 18.0]
+    session.reset(np.array([False, True, False]))
+    assert session.time.tolist() == pytest.approx([0.1, 0.0, 0.1])
+
+
+def test_what_a_session_refuses():
+    session = pg.Session([CHEESE] * 2)
+    session.advance(None, 0.01)
+    other = CHEESE.replace(**{"sheet.pitch": CHEESE.sheet.pitch / 2})
+    for call, field in (
+        (lambda: session.advance([MOTION], 0.1), "motions"),
+        (lambda: session.advance([MOTION, 3], 0.1), r"motions\.1"),  # type: ignore[list-item]
+        (lambda: session.advance(MOTION, 0), "duration"),
+        (lambda: session.advance(MOTION, 1e9), "duration"),
+        (lambda: session.advance(MOTION.replace(ramp=0), 0.1), r"motions\.0\.ramp"),
+        (lambda: session.advance(MOTION.replace(height=0.05), 0.1), r"motions\.0\.height"),
+        (lambda: session.advance(MOTION.replace(frequency=2000), 0.1), r"motions\.0\.frequency"),
+        (lambda: session.reset(2), "runs"),
+        (lambda: session.reset([0], other), r"scenarios\.0"),
+        (lambda: session.reset([0, 1], [CHEESE]), "scenarios"),
+        (lambda: session.now("speed"), "channel"),
+        (lambda: session.observe(7), "runs"),
+        (lambda: session.restore(None), "saved"),  # type: ignore[arg-type]
+        (lambda: pg.Session([]), "scenarios"),
+        (lambda: pg.Session([CHEESE], keep=0), "keep"),
+        (lambda: pg.Session([CHEESE], threads=0), "threads"),
+        (lambda: pg.Session([CHEESE], engine="gpu"), "engine"),  # type: ignore[arg-type]
+        (lambda: pg.Session([CHEESE]).recording(0), "runs"),
+    ):
+        with pytest.raises(pg.InputError, match=rf"^{field}: "):
+            call()
+    np.testing.assert_array_equal(session.time, 0.01)
