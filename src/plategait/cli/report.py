@@ -11,6 +11,8 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+import numpy as np
+
 from plategait.curve.curve import Curve
 from plategait.curve.lorentz import LorentzFit
 from plategait.errors import printable
@@ -82,6 +84,7 @@ def print_simulation(simulation: Simulation, drawn: dict[str, Any] | None = None
         ["gait", s["gait"] or "–"],
         ["failure", _failures(simulation)],
         *([o.label, _observable(o, s[o.key])] for o in all_observables().values() if o.label),
+        *_velocity_spread(simulation),
         ["energy unaccounted for", _energy(simulation)],
         ["time step", f"{s['dt_s']:.3g} s, {s['steps']} steps"],
         ["speed", _number(s["simulated_s_per_wall_s"], "simulated seconds per second")],
@@ -92,6 +95,17 @@ def print_simulation(simulation: Simulation, drawn: dict[str, Any] | None = None
         ["", ""],
         rows,
     )
+
+
+def _velocity_spread(simulation: Simulation) -> list[list[str]]:
+    """How the velocity along, across and turning differs from stride to stride, and from start to start."""
+    ways = [("strides", simulation.stride_covariance), ("starts", simulation.start_covariance)]
+    rows = []
+    for over, covariance in ways:
+        if np.isfinite(covariance).all():
+            x, y, w = np.sqrt(np.diag(covariance)).tolist()
+            rows.append([f"its sd over {over}", f"{1e3 * x:.1f}, {1e3 * y:.1f} mm/s, {math.degrees(w):.1f} deg/s"])
+    return rows
 
 
 def _failures(simulation: Simulation) -> str:

@@ -74,7 +74,7 @@ def curve_of(name: str, frequencies: Sequence[float], observations: Sequence[Seq
         failure=ensemble.failure,
         runs=np.full(len(ensemble.rate), float(ensemble.runs)),
         failed_runs=ensemble.failed_runs.astype(float),
-        values={o.name: values_of(o, observations) for o in all_observables().values() if o.label},
+        values={o.name: values_of(o, observations) for o in all_observables().values() if o.label or o.in_curves},
     )
 
 

@@ -120,6 +120,43 @@ def spin_rate(time: Array, angle: Array, period: float, start: float, end: float
     return SpinRate(rate, rate - half, rate + half, settled, spread)
 
 
+@dataclass(frozen=True, eq=False)
+class Twist:
+    """Mean velocity in the plate's plane, and how it differs from stride to stride.
+
+    Attributes
+    ----------
+    mean : (3,) array
+        Along the bar and across it, m/s, and turning, rad/s, counter-clockwise positive; NaN when there was too little to
+        measure.
+    covariance : (3, 3) array
+        Of the means over each stride, one plate period.
+    """
+
+    mean: Array
+    covariance: Array
+
+
+def twist(time: Array, moves: Array, period: float, start: float, end: float) -> Twist:
+    """Way over whole plate periods between two times, over the time that they take; fewer than two give NaN.
+
+    Parameters
+    ----------
+    time : (n,) array
+        s.
+    moves : (3, n) array
+        Centre along and across the bar, m, and unwrapped rotation, rad, in the plate's frame.
+    period, start, end : float
+        Plate period and the window to measure in, s; its last whole periods count.
+    """
+    periods = math.floor((end - start) / period + 1e-6)
+    if periods < 2 or len(time) < 4:
+        return Twist(np.full(3, math.nan), np.full((3, 3), math.nan))
+    edges = end - period * np.arange(periods, -1, -1)
+    strides = np.diff([np.interp(edges, time, move) for move in moves]) / np.diff(edges)
+    return Twist(strides.mean(axis=1), np.cov(strides))
+
+
 def student_95(freedom: int) -> float:
     """Student's t, 97.5 % point, within 0.2 % (scipy.stats takes half a second to import)."""
     if freedom < len(_STUDENT_95):

@@ -68,6 +68,14 @@ class Window:
         """(n,) samples that lie in the window."""
         return (self.time > self.start) & (self.time <= self.end)
 
+    @cached_property
+    def twist(self) -> observables.Twist:
+        """Mean velocity in the plate's plane."""
+        channels, period = self.channels, self.scenario.motion.period
+        angle = observables.rotation(channels["spin_cross"], channels["spin_dot"])
+        moves = np.stack([channels["centre_x"], channels["centre_y"], angle])
+        return observables.twist(self.time, moves, period, self.start, self.end)
+
     def period_means(self, name: str) -> Array:
         """Mean of a channel over each whole plate period of the window."""
         period = self.scenario.motion.period
@@ -99,6 +107,8 @@ class Observable:
         Unit that people read: "mm", "%". By default the SI one.
     over_runs : {"mean", "worst"}
         What several starts show together: the mean over those that did not fail, or the one furthest from zero of all.
+    in_curves : bool
+        Whether files of curves have it without a label too.
     """
 
     name: str
@@ -108,6 +118,7 @@ class Observable:
     label: str = ""
     display: str = ""
     over_runs: Literal["mean", "worst"] = "mean"
+    in_curves: bool = False
 
     def __post_init__(self) -> None:
         """Refuse a name that no column could have, and units that do not fit each other."""
@@ -151,6 +162,14 @@ class Observable:
         return np.take_along_axis(values, furthest[..., None], axis=-1)[..., 0]
 
 
+def _velocity(which: int) -> Callable[[Window], float]:
+    return lambda window: float(window.twist.mean[which])
+
+
+def _covariance(one: int, other: int) -> Callable[[Window], float]:
+    return lambda window: float(window.twist.covariance[one, other])
+
+
 def _drift(window: Window) -> float:
     period, time = window.scenario.motion.period, window.time
     slipped = observables.slip(time, window.channels["centre_x"], window.channels["centre_y"], period)
@@ -170,8 +189,19 @@ def _plate_power(window: Window) -> float:
     return float(window.channels["plate_work"][window.inside].sum()) / (window.end - window.start)
 
 
+_TWIST = ("velocity along the bar", "velocity across the bar", "spin rate")
 BUILT_IN = (
     Observable("drift", "m", "furthest slip of the centre", _drift, "drift of the centre", "mm"),
+    Observable("velocity_x", "m/s", "mean velocity of the centre along the bar, plate frame", _velocity(0),
+               "velocity along the bar", "mm/s"),
+    Observable("velocity_y", "m/s", "mean velocity of the centre across the bar, plate frame", _velocity(1),
+               "velocity across the bar", "mm/s"),
+    *(Observable(f"twist_{'xyw'[i]}{'xyw'[j]}", unit,
+                 f"covariance over strides of the {_TWIST[i]} and the {_TWIST[j]}", _covariance(i, j),
+                 display=display, in_curves=True)
+      for i, j, unit, display in (
+          (0, 0, "m^2/s^2", "mm^2/s^2"), (0, 1, "m^2/s^2", "mm^2/s^2"), (1, 1, "m^2/s^2", "mm^2/s^2"),
+          (0, 2, "m*rad/s^2", "mm*deg/s^2"), (1, 2, "m*rad/s^2", "mm*deg/s^2"), (2, 2, "rad^2/s^2", "deg^2/s^2"))),
     Observable("contact_fraction", "1", "mean share of the nodes that touch", lambda w: w.mean("contact"),
                "nodes in contact", "%"),
     Observable("flight_fraction", "1", "share of the time in which nothing touches", lambda w: w.mean("flight"),

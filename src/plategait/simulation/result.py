@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+
+from plategait.arrays import Array
 from plategait.engine.recording import Recording
 from plategait.files.plain import plain
 from plategait.model.scenario import Scenario
@@ -14,6 +17,15 @@ from plategait.simulation.ensemble import Ensemble
 from plategait.simulation.observables import Failure
 from plategait.simulation.observation import Observation, ensemble_of, values_of
 from plategait.simulation.registry import all_observables, find_observable
+
+
+# mm/s, mm/s and deg/s over SI.
+_PEOPLES = np.array([1e3, 1e3, 180 / math.pi])
+
+
+def _in_people_units(covariance: Array) -> list[list[float | None]] | None:
+    """Covariance of a velocity in mm/s, mm/s and deg/s; None where there is none."""
+    return (covariance * np.outer(_PEOPLES, _PEOPLES)).tolist() if np.isfinite(covariance).all() else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,6 +101,26 @@ class Simulation:
         """Standard deviation of the spin rate, rad/s: over the ensemble, or for one run over its blocks of periods."""
         return float(self._ensemble.spread[0])
 
+    @cached_property
+    def twist(self) -> Array:
+        """(3,) mean velocity of the runs that did not fail: along the bar and across it, m/s, and turning, rad/s."""
+        return np.array([self.value("velocity_x"), self.value("velocity_y"), self.spin_rate])
+
+    @cached_property
+    def stride_covariance(self) -> Array:
+        """(3, 3) covariance of the velocity over strides, within the runs that did not fail."""
+        entries = [["xx", "xy", "xw"], ["xy", "yy", "yw"], ["xw", "yw", "ww"]]
+        return np.array([[self.value(f"twist_{entry}") for entry in row] for row in entries])
+
+    @cached_property
+    def start_covariance(self) -> Array:
+        """(3, 3) covariance of the velocity over the starts that did not fail; NaN for fewer than two."""
+        counted = [o for o in self.observations if o.failure is None and math.isfinite(o.spin.rate)]
+        if len(counted) < 2:
+            return np.full((3, 3), math.nan)
+        return np.cov([[o["velocity_x"] for o in counted], [o["velocity_y"] for o in counted],
+                       [o.spin.rate for o in counted]])  # fmt: skip
+
     @property
     def settled(self) -> bool:
         """Whether every run that counts has settled, and the scenario has not failed."""
@@ -133,6 +165,7 @@ class Simulation:
             "spin_rate_deg_s": math.degrees(self.spin_rate),
             "spin_rate_sd_deg_s": math.degrees(self.spin_rate_sd),
             "spin_rate_interval_deg_s": [math.degrees(low), math.degrees(high)],
+            "start_covariance": _in_people_units(self.start_covariance),
             "settled": self.settled,
             "gait": self.gait or None,
             "failed": self.failed,
