@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import signal
 import subprocess
@@ -404,3 +405,28 @@ def test_a_full_disk_is_one_line(tmp_path):
     assert done.returncode != 0
     assert "Traceback" not in done.stderr
     assert len(done.stderr.splitlines()) == 1
+
+
+def test_what_a_motion_needs_of_a_machine(tmp_path):
+    (tmp_path / "shaker.toml").write_text(
+        'name = "mine"\nx = { stroke = "5 mm", acceleration = "60 m/s^2" }\nrx = { angle = "4 deg", torque = "50 N*mm" }\n'
+        'plate_mass = "100 g"\ninertia_x = "1e-4 kg*m^2"\ninertia_y = "1e-4 kg*m^2"\ninertia_z = "2e-4 kg*m^2"\n'
+    )
+    asked = ("needs", "cheese", "--machine", "shaker.toml", "--angle", "3 deg", "--stroke", "3 mm")
+    told = plain_json(plategait(*asked, "--frequency", "10 Hz", "--json", cwd=tmp_path, check=0).stdout)
+    assert told["within"]
+    assert told["beyond"] == []
+    omega = 2 * math.pi * 10
+    # The smooth start takes a little more than the sine.
+    assert 1 <= told["needs"]["x"]["acceleration_m_s2"] / (3e-3 * omega**2) < 1.1
+    assert 1 <= told["needs"]["rx"]["torque_n_m"] / (1e-4 * math.radians(3) * omega**2) < 1.1
+    assert told["needs"]["x"]["position_mm"] == pytest.approx(3, rel=1e-3)
+    fast = plategait(*asked, "--frequency", "30 Hz", cwd=tmp_path, check=1)
+    assert "acceleration on x, above" in fast.stdout.replace("\n", " ")
+    assert "within the machine's limits" in plategait("needs", cwd=tmp_path, check=0).stdout
+    for name, text in {"none.toml": None, "axis.toml": "w = 3\n", "mass.toml": 'rx = { torque = "1 N*m" }\n',
+                       "zero.toml": 'x = { stroke = "0 mm" }\n'}.items():  # fmt: skip
+        if text:
+            (tmp_path / name).write_text(text)
+        refused = plategait("needs", "--machine", name, cwd=tmp_path, check=2)
+        assert len(refused.stderr.splitlines()) == 1

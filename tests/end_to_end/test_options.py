@@ -87,6 +87,7 @@ MODES = [
     Mode(("curve", "--frequency", "22:24:1Hz", *SHORT, "--repeats", "3"), typed(seed="4"), ()),
     Mode(("fit", "peak.csv"), typed(plot="p.png", json="")),
     Mode(("modes",), typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
+    Mode(("needs",), typed(machine="shaker.toml", frequency="20 Hz", angle="5 deg", stroke="2 mm", json="")),
     Mode(("scenario",), typed(print="cheese", json="")),
     Mode(("scenario", "cheese"), JSON),
     Mode(("scenario", "--print", "cheese"), {}),
@@ -217,6 +218,7 @@ def files(tmp_path_factory) -> Path:
     lens = {"width": 640, "height": 480, "matrix": [[600, 0, 320], [0, 600, 240], [0, 0, 1]], "distortion": [0]}
     (folder / "lens.json").write_text(json.dumps(lens))
     (folder / "table.csv").write_text("clip,frequency_hz\n20Hz,21\n")
+    (folder / "shaker.toml").write_text('x = { acceleration = "50 m/s^2" }\nrx = { angle = "4 deg" }\n')
     (folder / "clips").mkdir()
     film_cantilever(examples.K_B, examples.C_B, folder / "strip.mp4")
     return folder

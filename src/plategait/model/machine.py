@@ -126,7 +126,7 @@ MACHINES: Mapping[str, Machine] = {
 """Machines by name. The source's robot slides 3 mm along its bar and turns it by 24 deg, up to 40 Hz."""
 
 
-def machine(told: Machine | Path | str, field: str = "machine") -> Machine:
+def machine_of(told: Machine | Path | str, field: str = "machine") -> Machine:
     """Machine of what tells one: itself, a name of `MACHINES`, or a TOML file.
 
     Raises

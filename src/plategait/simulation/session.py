@@ -17,8 +17,7 @@ from plategait.engine.piece import Piece
 from plategait.engine.recording import Recording, RunRequest
 from plategait.errors import InputError
 from plategait.model.course import Course
-from plategait.model.machine import Machine
-from plategait.model.machine import machine as machine_of
+from plategait.model.machine import Machine, machine_of
 from plategait.model.motion import PlateMotion
 from plategait.model.needs import join_duration, start_duration
 from plategait.model.presets import Preset
