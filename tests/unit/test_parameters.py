@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from plategait.campaign.opened import open_sweep
 from plategait.campaign.run import sweep
 from plategait.errors import InputError
+from plategait.model.motion import AXES, Wave
 from plategait.model.parameters import SHORTHANDS, find_parameter, kinetic_follows, parameters_of, value_of, with_values
 from plategait.model.presets import NOMINAL_NATURAL_FREQUENCY, preset
 from plategait.model.scenario import Plate, Scenario
@@ -166,3 +167,14 @@ def test_the_in_plane_shear_stiffness_is_swept(tmp_path):
     unnamed = {**plan, "grid": {"motion.frequency": [scenario.motion.frequency]}}
     assert sweep(unnamed, tmp_path / "u.zarr").complete
     assert open_sweep(tmp_path / "u.zarr").data["spin_rate"].values.ravel().tolist() == rates[:1]
+
+
+def test_everything_about_a_motion_is_a_parameter():
+    motion = EVERYTHING.motion.replace(waves=(Wave(axis="rx", amplitude=0.1),))
+    names = parameters_of(EVERYTHING.replace(motion=motion))
+    wanted = {"frequency", "angle", "stroke", "height", "ramp", *(f"offset.{axis}" for axis in AXES)}
+    wanted |= {f"waves.0.{name}" for name in ("axis", "amplitude", "ratio", "phase")}
+    assert {name.removeprefix("motion.") for name in names if name.startswith("motion.")} == wanted
+    made = with_values(EVERYTHING, {"motion.offset.rx": "2 deg", "motion.waves.1.phase": "90 deg"})
+    assert made.motion.offset.pose[3] == pytest.approx(math.radians(2))
+    assert made.motion.waves[1].phase == pytest.approx(math.pi / 2)

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import plategait as pg
+from plategait.model.course import kinematics
+from plategait.model.machine import Sliding, Turning
 
 CHEESE = pg.preset("cheese").scenario
 MOTION = CHEESE.motion.replace(frequency=18.0)
@@ -95,3 +97,24 @@ def test_what_a_session_refuses():
         with pytest.raises(pg.InputError, match=rf"^{field}: "):
             call()
     np.testing.assert_array_equal(session.time, 0.01)
+
+
+def test_a_machine_s_limits_are_kept_at_the_start_and_at_every_change():
+    alone = pg.needs(MOTION, pg.MACHINES["source-robot"], start=False).peaks
+    tight = pg.Machine(x=Sliding(acceleration=1.05 * alone[2, 0]), rx=Turning(acceleration=1.05 * alone[2, 3]))
+    session = pg.Session([CHEESE.replace(motion=MOTION.replace(ramp=0.01))], machine=tight)
+    session.advance(None, 0.1)
+    course = session._engine.course(0)
+    assert course[0].duration > 0.01, "a start that the machine can make"
+    session.advance(MOTION.replace(stroke=-MOTION.stroke, ramp=0.01), 0.5)
+    course = session._engine.course(0)
+    moves = kinematics(course, np.linspace(0.1, 0.6, 50_000))
+    assert np.abs(moves.acceleration[0]).max() <= 1.05 * alone[2, 0] * (1 + 1e-5)
+    assert np.abs(moves.acceleration[3]).max() <= 1.05 * alone[2, 3] * (1 + 1e-5)
+    for wrong in (MOTION.replace(frequency=20.0), MOTION.replace(waves=({"axis": "z", "amplitude": 1e-4},))):
+        with pytest.raises(pg.InputError, match=r"^motions\.0: .*machine"):
+            session.advance(wrong, 0.1)
+    with pytest.raises(pg.InputError, match=r"^motion: "):
+        pg.Session([CHEESE.replace(**{"motion.frequency": 50.0})], machine="source-robot")
+    with pytest.raises(pg.InputError, match=r"^machine: "):
+        pg.Session([CHEESE], machine="no-such-machine")

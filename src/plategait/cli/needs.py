@@ -73,12 +73,13 @@ def _numbers(needed: Needs, machine: Machine, beyond: list[str]) -> dict[str, ob
 
 
 def _print(needed: Needs, machine: Machine, beyond: list[str]) -> None:
-    rows = []
+    rows, limits = [], machine.limits
     for d in _moved(needed):
         turns = AXES[d].startswith("r")
+        kinds = zip(_SCALES, _UNITS, needed.peaks[:, d], limits[:, d], strict=True)
         shown = [
             f"{scales[turns] * value:.4g} {units[turns]}" + _of(scales[turns] * limit, value, limit)
-            for scales, units, value, limit in zip(_SCALES, _UNITS, needed.peaks[:, d], machine.limits[:, d], strict=True)
+            for scales, units, value, limit in kinds
         ]
         rows.append([AXES[d], *("–" if text.startswith("nan") else text for text in shown)])
     report.print_table(f"what the motion needs of {machine.name}", list(_HEADINGS), rows)

@@ -127,8 +127,8 @@ class Twist:
     Attributes
     ----------
     mean : (3,) array
-        Along the bar and across it, m/s, and turning, rad/s, counter-clockwise positive; NaN when there was too little to
-        measure.
+        Along the bar and across it, m/s, and turning, rad/s, counter-clockwise positive; NaN when there was too little
+        to measure.
     covariance : (3, 3) array
         Of the means over each stride, one plate period.
     """

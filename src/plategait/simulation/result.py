@@ -18,7 +18,6 @@ from plategait.simulation.observables import Failure
 from plategait.simulation.observation import Observation, ensemble_of, values_of
 from plategait.simulation.registry import all_observables, find_observable
 
-
 # mm/s, mm/s and deg/s over SI.
 _PEOPLES = np.array([1e3, 1e3, 180 / math.pi])
 
