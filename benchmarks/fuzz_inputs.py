@@ -142,6 +142,10 @@ def motion_fields(draw: Draw) -> dict[str, Any]:
         fields["waves"] = [wave_fields(draw) for _ in range(draw.whole(0, 5))]
     if draw.chance(0.25):
         fields["samples"] = sample_fields(draw)
+    if draw.chance(0.2):
+        axis = draw.choice(AXES)
+        size = draw.uniform(-0.5, 0.5) if axis.startswith("r") else draw.uniform(-0.05, 0.05)
+        fields["offset"] = {axis: draw.number(size)}
     return fields
 
 
@@ -213,6 +217,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "--engine": ("cpu", "cpu64", "gpu"),
     "--out": ("run.nc", "curve.csv", "run.txt", "missing/run.nc"),
     "--count": ("3", "0", "1000"),
+    "--machine": ("source-robot", "fuzz.toml", "nothing.toml"),
     "--draws": ("0", "3"),
 }  # fmt: skip
 TAKEN = {
@@ -220,6 +225,7 @@ TAKEN = {
                  "--natural-frequency", "--sheet", "--repeats", "--seed", "--engine", "--out", "--draws"),
     "curve": ("--angle", "--stroke", "--mu-s", "--friction-law", "--dt", "--sheet", "--repeats", "--engine", "--out"),
     "modes": ("--sheet", "--natural-frequency", "--count"),
+    "needs": ("--frequency", "--angle", "--stroke", "--machine"),
     "scenario": (),
     "fit": (),
 }  # fmt: skip

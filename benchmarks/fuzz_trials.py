@@ -26,6 +26,7 @@ from plategait.model.scenario_file import read_scenario, write_scenario
 from plategait.simulation.dataset import dataset_of
 from plategait.simulation.result import Simulation
 from plategait.simulation.run import simulate_all
+from plategait.simulation.session import Session
 
 LONGEST_LINE = 1000  # characters of a message
 # Of a scenario, and of one at an edge, which takes its time to fall: longer ones are cut, so that thousands take
@@ -67,6 +68,8 @@ def try_scenario(seed: int, index: int, tell: Callable[[str], None]) -> Case:
         wrong = [w for simulation in found for w in _nonsense(simulation)]
         if draw.chance(0.1):
             wrong += _unlike_its_file(scenario)
+        if draw.chance(0.2):
+            wrong += _unlike_in_pieces(draw, scenarios[0])
         if draw.chance(0.01):
             dataset_of(found[0])
     except InputError as error:
@@ -74,6 +77,19 @@ def try_scenario(seed: int, index: int, tell: Callable[[str], None]) -> Case:
     except Exception:
         return Case("raised", traceback.format_exc())
     return Case("failed" if any(s.failed for s in found) else "ran", "; ".join(wrong))
+
+
+def _unlike_in_pieces(draw: Draw, scenario: Scenario) -> list[str]:
+    """What differs between a session in two pieces, each of another motion, and the same in many."""
+    motions = [scenario.motion, scenario.motion.replace(angle=0.02, stroke=1e-3, ramp=draw.choice([0.01, 0.1]))]
+    sessions = [Session([scenario], engine="cpu"), Session([scenario], engine="cpu")]
+    for session, pieces in zip(sessions, (1, draw.whole(2, 9)), strict=True):
+        for motion in motions:
+            for _ in range(pieces):
+                session.advance(motion, 0.5 * scenario.duration / pieces)
+    one, many = (session.recording(0) for session in sessions)
+    differ = [name for name in one.channels if not np.array_equal(one[name], many[name], equal_nan=True)]
+    return [f"in pieces {', '.join(differ)} differ"] if differ else []
 
 
 def _cut(scenario: Scenario, node_steps: int = NODE_STEPS) -> Scenario:

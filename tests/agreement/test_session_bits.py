@@ -117,6 +117,22 @@ def test_a_run_that_is_reset_is_a_new_one_among_others_under_way():
     assert session.time[[0, 1]] == pytest.approx([0.37, 0.3])
 
 
+def test_a_plate_that_ends_may_come_into_a_session_without():
+    # The second knocks the sheet off its plate again and again, so that nodes lie deep when the first is reset.
+    runs = [CHEESE, CHEESE.replace(**{"motion.angle": "9 deg", "motion.waves": [{"axis": "z", "amplitude": "2 mm"}]})]
+    ending = CHEESE.replace(plate=pg.Plate(length=0.085, width=0.09))
+    session = pg.Session(runs)
+    session.advance(None, 0.13)
+    session.reset(0, ending)
+    session.advance(None, 0.17)
+    assert_same(session.recording(1), pg.simulate(runs[1]).recordings[0])
+    session.advance(None, 0.13)
+    assert_same(session.recording(0), pg.simulate(ending).recordings[0])
+    session.reset(0, CHEESE)
+    session.advance(None, 0.3)
+    assert_same(session.recording(0), pg.simulate(CHEESE).recordings[0])
+
+
 def test_a_diverged_run_stays_and_the_others_go_on():
     wild = CHEESE.replace(gravity=1e30)
     session = pg.Session([CHEESE, wild])

@@ -14,11 +14,15 @@ from plategait.arrays import Array, Flags
 from plategait.engine.packing import Numbers, Told, features_of, lines_of, pack_courses, parameters_of
 from plategait.engine.piece import Piece
 from plategait.engine.recording import RunRequest
+from plategait.engine.trajectories import table_step
 from plategait.model.course import Course, course_of, gone_over, still_needed
 from plategait.model.motion import PlateMotion
 
 Precision = Literal["float32", "float64"]
 Counts = NDArray[np.int64]
+
+# Tables of sampled trajectories reach so many times as far as the runs are advanced.
+_AHEAD = 2.0
 
 # Places in the core's clock (native/parameters.hpp).
 TAKEN, _SEEN, DUE, SAMPLED = range(4)
@@ -71,16 +75,15 @@ class Batch:
         # A sample's time counts from where the stride was last changed.
         self._since_sample, self._since_time = np.zeros(len(runs), dtype=np.int64), np.zeros(len(runs))
         self._thinning = np.array([r.thinning for r in runs], dtype=np.int64)
+        # How far the tables of sampled trajectories reach, s.
+        self._tabulated = np.array([r.steps * r.scenario.dt if ends else 0.0 for r in runs])
         self._fixed: Numbers = lines_of(runs[0].lattice)
-        self._describe()
-        self.state = self._start()
-
-    def _describe(self) -> None:
         rows = [parameters_of(r.scenario) for r in self.runs]
         self._parameters = np.array([[row[name] for row in rows] for name in _native.PARAMETERS])
         self._features = features_of(self.runs, self._parameters)
         self.dt = np.array([r.scenario.dt for r in self.runs])
         self._packed: Numbers | None = None
+        self.state = self._start()
 
     def _start(self) -> State:
         n = len(self.runs)
@@ -96,9 +99,8 @@ class Batch:
         other = Batch.__new__(Batch)
         other.__dict__.update(self.__dict__)
         other.runs, other.courses = list(self.runs), list(self.courses)
-        other.stride, other._since_sample, other._since_time = (
-            self.stride.copy(), self._since_sample.copy(), self._since_time.copy()
-        )  # fmt: skip
+        other.stride, other._thinning = self.stride.copy(), self._thinning.copy()
+        other._since_sample, other._since_time = self._since_sample.copy(), self._since_time.copy()
         return other
 
     @property
@@ -122,13 +124,20 @@ class Batch:
         self.runs[j], self.courses[j] = run, course_of(run.scenario.motion)
         self.stride[j], self._thinning[j] = run.stride, run.thinning
         self._since_sample[j], self._since_time[j] = 0, 0.0
-        self._describe()
+        row = parameters_of(run.scenario)
+        self._parameters, self.dt = self._parameters.copy(), self.dt.copy()
+        self._parameters[:, j], self.dt[j] = [row[name] for name in _native.PARAMETERS], run.scenario.dt
+        self._features, self._packed = features_of(self.runs, self._parameters), None
         before = self.state
         x, v, tally, clock = before.x.copy(), before.v.copy(), before.tally.copy(), before.clock.copy()
         last, diverged = before.last.copy(), before.diverged.copy()
         x[j], v[j] = run.start()
         tally[j], clock[j], last[j], diverged[j] = 0.0, 0, np.nan, False
-        edge = np.zeros_like(x) if self._features[2] and not before.edge.size else before.edge
+        edge = before.edge if self._features[2] else np.zeros(0)
+        if self._features[2] and not edge.size:
+            # The first plate that ends: all other nodes are on theirs, however deep (native/edge.hpp).
+            edge = np.zeros_like(x)
+            edge[..., 2] = -2.0
         self.state = State(x, v, edge, tally, clock, last, diverged)
 
     def samples_within(self, steps: Counts) -> Counts:
@@ -154,7 +163,7 @@ class Batch:
         samples = np.full((n, int(n_samples.max()), len(CHANNEL)), np.nan, dtype=self.precision)
         snapshots = np.zeros((n, int(n_pictures.max()), *x.shape[1:]), dtype=np.float32)
         getattr(_native, f"advance_{self.precision}")(
-            **self._fixed, **self._courses_now(), n_axial_lines=len(self.runs[0].lattice.axial_lines),
+            **self._fixed, **self._courses_now(steps), n_axial_lines=len(self.runs[0].lattice.axial_lines),
             features=self._features, parameters=self._parameters, steps=steps, stride=self.stride,
             thinning=self._thinning, x=x, v=v, edge=edge, tally=tally, clock=clock, samples=samples,
             snapshots=snapshots, last=last, level=level, threads=threads, progress=report,
@@ -170,14 +179,30 @@ class Batch:
         )  # fmt: skip
         return State(x, v, edge, tally, clock, last, before.diverged | (taken < steps)), piece
 
-    def _courses_now(self) -> Numbers:
+    def knots_for(self, steps: Counts) -> float:
+        """Knots that so many steps may need of the runs' sampled trajectories, beyond those there are, at most."""
+        reached = self.time + steps * self.dt
+        return sum(
+            _AHEAD * reached[j] / table_step(self.runs[j].scenario, layer.motion)
+            for j, course in enumerate(self.courses)
+            for layer in course
+            if layer.motion.samples is not None and reached[j] > self._tabulated[j]
+        )
+
+    def _courses_now(self, steps: Counts) -> Numbers:
         time = self.time.tolist()
+        reached = self.time + steps * self.dt
+        if (reached > self._tabulated).any() and not self._ends:
+            # Further than is needed now, or every piece would make them anew.
+            self._tabulated, self._packed = np.maximum(_AHEAD * reached, self._tabulated), None
         for j, course in enumerate(self.courses):
             if len(course) > 1 and len(needed := still_needed(course, time[j])) < len(course):
                 self.courses[j], self._packed = needed, None
         if self._packed is None:
-            ends = [r.steps * r.scenario.dt if self._ends else np.inf for r in self.runs]
-            told = [Told(r.scenario, course, end) for r, course, end in zip(self.runs, self.courses, ends, strict=True)]
+            told = [
+                Told(r.scenario, course, float(end))
+                for r, course, end in zip(self.runs, self.courses, self._tabulated, strict=True)
+            ]
             self._packed = pack_courses(told)
         return self._packed
 

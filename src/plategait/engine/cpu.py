@@ -59,7 +59,7 @@ class Session:
         ends: bool = False,
         instruction_set: str | None = None,
     ) -> None:
-        self._precision, self._level = precision, instruction_set or instruction_sets()[0]
+        self._ends, self._precision, self._level = ends, precision, instruction_set or instruction_sets()[0]
         sample_bytes = np.dtype(precision).itemsize * len(CHANNEL)
         if ends:
             check_memory(runs, sample_bytes, len(CHANNEL))
@@ -95,7 +95,10 @@ class Session:
                 if progress is not None:
                     progress(min(done + min(count, share), total) / total if total else 1.0)
 
-            check_room(batch.samples_within(steps[group]), len(CHANNEL), self._precision)
+            if not self._ends:
+                check_room(
+                    batch.samples_within(steps[group]), len(CHANNEL), self._precision, batch.knots_for(steps[group])
+                )
             state, piece = batch.advanced(steps[group], threads or core_count(), self._level, report)
             states.append(state)
             done += share

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.engine.recording import RunRequest
-from plategait.engine.trajectories import table_bytes
+from plategait.engine.trajectories import KNOT_BYTES, table_bytes
 from plategait.errors import InputError
 from plategait.memory import available_memory
 
@@ -75,8 +75,8 @@ def _running_bytes(run: RunRequest, sample_bytes: int) -> float:
     return sample_bytes * run.samples + 12.0 * run.lattice.n_nodes * (run.pictures + 16)
 
 
-def check_room(samples: NDArray[np.int64], channels: int, precision: str) -> None:
-    """Refuse to advance a batch whose samples would not fit in memory.
+def check_room(samples: NDArray[np.int64], channels: int, precision: str, knots: float) -> None:
+    """Refuse to advance a batch whose samples, or tables of sampled trajectories, would not fit in memory.
 
     Parameters
     ----------
@@ -85,13 +85,16 @@ def check_room(samples: NDArray[np.int64], channels: int, precision: str) -> Non
     channels : int
         Numbers in a sample.
     precision : {"float32", "float64"}
+    knots : float
+        That its trajectories need at most.
 
     Raises
     ------
     InputError
     """
     needed = float(np.dtype(precision).itemsize * channels * len(samples) * int(samples.max()))
+    needed += KNOT_BYTES * knots
     if needed < _ALWAYS_THERE or needed <= (there := available_memory()):
         return
-    raise InputError("duration", f"samples of {needed / _GB:.3g} GB", f"within the {there / _GB:.3g} GB that there are",
+    raise InputError("duration", f"{needed / _GB:.3g} GB of samples", f"within the {there / _GB:.3g} GB that there are",
                      "to advance in shorter pieces")  # fmt: skip

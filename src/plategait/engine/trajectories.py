@@ -13,6 +13,9 @@ from plategait.engine.recording import RunRequest
 from plategait.model.motion import PlateMotion, Samples
 from plategait.model.scenario import Scenario
 
+# A knot of 12 numbers, and the copies that the spline makes of it.
+KNOT_BYTES = 12 * 8 * 3
+
 
 @dataclass(frozen=True)
 class Followed:
@@ -40,9 +43,9 @@ def followed(run: RunRequest) -> Followed | None:
 
 
 def table_bytes(runs: Iterable[RunRequest]) -> float:
-    """Memory that `tables` takes at most: knots of 12 numbers, and the copies that the spline makes of them."""
+    """Memory that `tables` takes at most."""
     taken = {
-        id(s): 12 * 8 * 3 * min(s.time[-1], r.scenario.duration) / table_step(r.scenario)
+        id(s): KNOT_BYTES * min(s.time[-1], r.scenario.duration) / table_step(r.scenario)
         for r in runs
         if (s := r.scenario.motion.samples)
     }
