@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from plategait.model.fragment import write_fragment as write_fragment
     from plategait.model.machine import MACHINES as MACHINES
     from plategait.model.machine import Machine as Machine
+    from plategait.model.machine import machine_of as machine_of
     from plategait.model.motion import Held as Held
     from plategait.model.motion import PlateMotion as PlateMotion
     from plategait.model.motion import Samples as Samples
@@ -78,7 +79,7 @@ _HOMES = {
     "estimate.result": ("Estimate", "estimate_parameters"),
     "model.contact": ("Contact", "Friction"),
     "model.fragment": ("Fragment", "read_fragment", "write_fragment"),
-    "model.machine": ("MACHINES", "Machine"),
+    "model.machine": ("MACHINES", "Machine", "machine_of"),
     "model.motion": ("Held", "PlateMotion", "Samples", "Wave"),
     "model.needs": ("Needs", "needs"),
     "model.outline": ("Disk", "Ellipse", "Mask", "Polygon", "Rectangle"),

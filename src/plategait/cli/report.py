@@ -104,7 +104,9 @@ def _velocity_spread(simulation: Simulation) -> list[list[str]]:
     for over, covariance in ways:
         if np.isfinite(covariance).all():
             x, y, w = np.sqrt(np.diag(covariance)).tolist()
-            rows.append([f"its sd over {over}", f"{1e3 * x:.1f}, {1e3 * y:.1f} mm/s, {math.degrees(w):.1f} deg/s"])
+            rows.append(
+                [f"sd of the velocity over {over}", f"{1e3 * x:.1f}, {1e3 * y:.1f} mm/s, {math.degrees(w):.1f} deg/s"]
+            )
     return rows
 
 
