@@ -12,7 +12,8 @@ class Protocol:
     """How each point of a spin curve is measured.
 
     The source does not say how long it measured. Its own limit of slip is 10 mm (section 4.3), at which objects that
-    wander as they spin would count as failed; twice that tells running off from wandering.
+    wander as they spin would count as failed; twice that tells running off from wandering, and its own curves want 15
+    mm (docs/studies.md).
 
     Attributes
     ----------
@@ -32,7 +33,7 @@ class Protocol:
 USUAL = Protocol()
 """Where a measurement's own duration and limit are not told."""
 
-REGENERATED = Protocol(duration=1.6)
+REGENERATED = Protocol(duration=1.6, slip_limit=0.015)
 """Of the dissertation's curves as they are regenerated here."""
 
 

@@ -77,7 +77,7 @@ class SourceStudy:
     samples : (n, d) array
         Posterior of all unknowns under the chosen law, in deviations of the priors.
     told : tuple of Told
-        The printed choice, today's preset, the chosen one and those found on parts of the curves, simulated.
+        The printed choice, one factor at a time, the chosen one and those found on parts of the curves, simulated.
     out_of_sample : tuple of OutOfSample
     """
 
@@ -134,7 +134,7 @@ def _deviations(told: Told) -> dict[str, float]:
 
 
 ONE_AT_A_TIME = Choice({"height": 7e-3, "c_b factor": 10.0, "slip limit": 0.02})
-"""A plate height and a damping, each found by varying it alone, as the presets take them (docs/fidelity.md)."""
+"""A plate height and a damping, each found by varying it alone (docs/fidelity.md)."""
 
 
 def study_source(
