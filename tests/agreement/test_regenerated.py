@@ -89,11 +89,8 @@ def test_targets_that_are_met_stay_met(study, what):
     assert check.holds, check.measured
 
 
-def test_all_peaks_of_table_5_9_but_one_are_within_15_per_cent(study):
-    # 3.5π at A_p = 3 deg comes out 15.3 % high, and 15.4 % at half the step: it is the model's, not the step's.
-    over = [c for c in study["table5.9"].comparisons if not c.holds]
-    assert [c.quantity for c in over] == ["ω_Br max, 3 deg, 3.5π (deg/s)"]
-    assert over[0].deviation < 0.16
+def test_all_peaks_of_table_5_9_are_within_15_per_cent(study):
+    assert not [c.quantity for c in study["table5.9"].comparisons if not c.holds]
 
 
 def test_what_is_known_to_differ_is_reported_so(study):

@@ -38,7 +38,17 @@ def test_the_full_circle(tmp_path):
     plategait("track-folder", "clips", "--out", "curve.csv", cwd=tmp_path, check=0)
     assert json.loads(plategait("fit", "curve.csv", "--json", cwd=tmp_path).stdout)
     done = plategait(
-        "estimate", "curve.csv", "--beta", f"{BETA}", "--json", "--out", "object.toml", cwd=tmp_path, check=0
+        "estimate",
+        "curve.csv",
+        "--beta",
+        f"{BETA}",
+        "--duration",
+        "1 s",
+        "--json",
+        "--out",
+        "object.toml",
+        cwd=tmp_path,
+        check=0,
     )
     parameters = json.loads(done.stdout)["parameters"]
     # The errors that the estimator is held to, with β known: half a π rad/s and a degree, here for one object.
