@@ -1,6 +1,6 @@
 """What the presets take beyond what the dissertation prints: few numbers, the same for all its objects and motions.
 
-`plategait study source` finds them among all unknowns together, as the smallest set that pays for itself: docs/studies.md.
+`plategait study source` finds them among all unknowns together, the smallest set that pays for itself: docs/studies.md.
 """
 
 from __future__ import annotations
