@@ -172,7 +172,8 @@ bool run_while_wanted(const Batch<T>& batch, const std::string& level, int threa
 void check_clock(const std::int64_t* clock, const std::int64_t* steps, std::size_t n_runs) {
   for (std::size_t j = 0; j < n_runs; j++, clock += plategait::N_CLOCKS) {
     const std::int64_t taken = clock[plategait::TAKEN], seen = clock[plategait::SEEN], due = clock[plategait::DUE];
-    if (seen > taken || due < taken || (taken > 0 && due == taken)) refuse("clock: a sample is not due when it should be");
+    if (seen > taken || due < taken || (taken > 0 && due == taken))
+      refuse("clock: a sample is not due when it should be");
     if (taken + steps[j] > LONGEST) refuse("steps past the longest run");
   }
 }
@@ -185,8 +186,8 @@ void check_start(const double* vectors, std::size_t per_run, const std::int64_t*
       if (!std::isfinite(vectors[j * per_run + k])) refuse(std::string(name) + " not finite");
 }
 
-/// Advance one batch at the precision of `samples`, from where x, v, edge, tally and clock say that it is, to where they
-/// then say. Raises KeyboardInterrupt (or what `progress` raises) midway, ValueError for arrays that do not belong
+/// Advance one batch at the precision of `samples`, from where x, v, edge, tally and clock say that it is, to where
+/// they then say. Raises KeyboardInterrupt (or what `progress` raises) midway, ValueError for arrays that do not belong
 /// together, MemoryError where the core finds no memory.
 template <class T>
 void advance(Array<int> line_start, Array<int> line_nodes, int n_axial_lines, Array<int> cells, Array<double> rest,
