@@ -19,13 +19,14 @@ from plategait.model.presets import NOMINAL_NATURAL_FREQUENCY, preset
 from plategait.model.scenario import Scenario
 from plategait.published import FRICTION_RATIO, REFERENCE_ALPHA, PublishedCurve
 from plategait.simulation.run import simulate_all
+from plategait.study.aims import PEAKS
+from plategait.study.evaluation import is_reference
+from plategait.thesis.runs import STRICT_SLIP_LIMIT
 
-CASES = tuple(c for c in published.curves() if abs(c.alpha_deg - REFERENCE_ALPHA) < 0.01)
+CASES = tuple(c for c in published.curves() if is_reference(c))
 GRID = {3: "12:34:1Hz", 12: "6:15.5:0.5Hz"}
 STEP_GRID = {3: np.arange(12.0, 28.0), 12: np.arange(8.0, 14.0, 0.5)}
 SMALL_STEP = 5e-6
-OWN_LIMIT = 0.01
-"""Slip at which the source's objects have failed, m (section 4.3)."""
 
 
 def scenario_of(name: str, case: PublishedCurve) -> Scenario:
@@ -44,12 +45,6 @@ def with_step_halved(scenario: Scenario) -> Scenario:
     return scenario.replace(time_step=0.5 * scenario.dt)
 
 
-def published_peak(case: PublishedCurve) -> float:
-    """ω_Br max of Table 5.9, deg/s."""
-    rows = published.numbers()["rotation"]["rows"]
-    return next(float(r[3]) for r in rows if int(r[0]) == case.angle_deg and float(r[1]) == case.omega_pi)
-
-
 def fits(name: str, cases: Sequence[PublishedCurve]) -> None:
     """Fits against fits, at the default step and at half of it."""
     heads = ["A_p, ω_n", "published f0", "our f0, 95 %", "off", "half step", "published ω_Br max", "ours"]
@@ -66,7 +61,7 @@ def fits(name: str, cases: Sequence[PublishedCurve]) -> None:
         moved = "no fit" if half is None else f"{100 * (half.f0_hz / fit.f0_hz - 1):+.1f} %"
         print_row([
             label(case), f"{case.f0_hz:.1f} Hz", f"{fit.f0_hz:.1f} Hz, {low:.1f}–{high:.1f}",
-            f"{100 * (fit.f0_hz / case.f0_hz - 1):+.1f} %", moved, f"{published_peak(case):.0f} deg/s",
+            f"{100 * (fit.f0_hz / case.f0_hz - 1):+.1f} %", moved, f"{PEAKS[case.angle_deg, case.omega_pi]:.0f} deg/s",
             f"{fit.peak:.0f}", f"{case.b_over_f0:.3f}", f"{fit.half_width_hz / fit.f0_hz:.3f}", f"{fit.r2:.2f}",
         ])  # fmt: skip
 
@@ -95,7 +90,7 @@ def vertex(name: str, cases: Sequence[PublishedCurve]) -> None:
     print_row(["A_p, ω_n", "vertex", "off", "highest rate", "gaits"])
     print_row(["---"] * 5)
     for case in cases:
-        scenario = scenario_of(name, case).replace(duration=4.0, slip_limit=OWN_LIMIT)
+        scenario = scenario_of(name, case).replace(duration=4.0, slip_limit=STRICT_SLIP_LIMIT)
         curve = spin_curve(scenario, GRID[case.angle_deg], repeats=4)
         f0 = vertex_of(spin_curve(measured_as(scenario), GRID[case.angle_deg], repeats=4))
         gaits = "".join("!" if failed else g[:1] for g, failed in zip(curve.gait, curve.failed, strict=True))
@@ -107,12 +102,8 @@ def vertex(name: str, cases: Sequence[PublishedCurve]) -> None:
 def typed(name: str, cases: Sequence[PublishedCurve]) -> None:
     """What `plategait curve` gives as typed."""
     curve = spin_curve(preset(name).scenario, "12:30:1Hz")
-    told = (
-        curve.no_fit
-        if curve.fit is None
-        else f"f0 {curve.fit.f0_hz:.2f} Hz {curve.fit.f0_interval}, {curve.fit.peak:.0f}"
-    )
-    print(told)
+    fit = curve.fit
+    print(curve.no_fit if fit is None else f"f0 {fit.f0_hz:.2f} Hz {fit.f0_interval}, {fit.peak:.0f}")
 
 
 def twelve(name: str, cases: Sequence[PublishedCurve]) -> None:

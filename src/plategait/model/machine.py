@@ -17,7 +17,7 @@ from plategait.model.motion import AXES
 from plategait.theory.rigid import inertial_loads
 from plategait.units import Quantity
 
-_MM_S2 = Quantity("m/s^2", "m/s^2", "50 m/s^2", above=0)
+_M_S2 = Quantity("m/s^2", "m/s^2", "50 m/s^2", above=0)
 _DEG_S2 = Quantity("rad/s^2", "deg/s^2", "50000 deg/s^2", above=0)
 _INERTIA = Quantity("kg*m^2", "kg*m^2", "4.5e-5 kg*m^2", above=0)
 _POWER = Quantity("W", "W", "50 W", above=0)
@@ -30,7 +30,7 @@ class Sliding(Model):
         default=None, description="furthest from its rest"
     )
     speed: Annotated[float, Quantity("m/s", "mm/s", "500 mm/s", above=0)] | None = Field(default=None)
-    acceleration: Annotated[float, _MM_S2] | None = Field(default=None)
+    acceleration: Annotated[float, _M_S2] | None = Field(default=None)
     jerk: Annotated[float, Quantity("m/s^3", "m/s^3", "1e4 m/s^3", above=0)] | None = Field(default=None)
     force: Annotated[float, Quantity("N", "N", "20 N", above=0)] | None = Field(default=None)
 

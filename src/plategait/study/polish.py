@@ -83,20 +83,16 @@ def polish(
     of_half: dict[str, list[_Trial]] = {name: [] for name in HALVES}
     known = evaluation
     for number in range(rounds + 1):
-        found = learnt(known)
         # Each round fills whole stores: as printed once, and what each half of the curves asks for; the last for these.
-        proposed = backward(found, law)[number > 0 :] if number < rounds else []
+        proposed = backward(learnt(known), law)[number > 0 :] if number < rounds else []
         chosen = smallest(_simplest_to_fullest(trials) or proposed)
         halves = [step_with(learnt(known, used), chosen.free, law, used) for used, _ in HALVES.values()]
-        asked = [*proposed, *halves]
         report = part(progress, number / (rounds + 1), 1 / (rounds + 1))
-        choices = [step.choice for step in asked]
-        made = evaluate(choices, folder, f"round-{number}", starts=STARTS, dask=dask, progress=report)
-        told = [_Trial(step, tuple(start.only(i) for start in made)) for i, step in enumerate(asked)]
+        told = _simulated([*proposed, *halves], folder, f"round-{number}", dask, report)
         trials += told[: len(proposed)]
         for name, trial in zip(HALVES, told[len(proposed) :], strict=True):
             of_half[name].append(trial)
-        known = joined(known, *made)
+        known = joined(known, *(start for trial in told for start in trial.starts))
     steps = _simplest_to_fullest(trials)
     chosen = smallest(steps)
     found_on = {name: _best(of_half[name], used, lambda s: s.free == chosen.free) for name, (used, _) in HALVES.items()}
@@ -124,11 +120,15 @@ def refined(
     shares = sampler.random(CHOICES_OF_STORE)
     z = np.zeros((CHOICES_OF_STORE, len(NAMES)))
     z[:, free] = low + shares * (high - low)
-    asked = [replace(chosen, deviations=row) for row in z]
-    choices = [step.choice for step in asked]
-    made = evaluate(choices, folder, "refined", starts=STARTS, dask=dask, progress=progress)
-    told = [_Trial(step, tuple(start.only(i) for start in made)).told() for i, step in enumerate(asked)]
-    return min([chosen, *told], key=_with_prior)
+    trials = _simulated([replace(chosen, deviations=row) for row in z], folder, "refined", dask, progress)
+    return min([chosen, *(trial.told() for trial in trials)], key=_with_prior)
+
+
+def _simulated(steps: Sequence[Step], folder: Path, name: str, dask: object, progress: Progress | None) -> list[_Trial]:
+    """Proposals simulated from the nominal start and `STARTS` others."""
+    choices = [step.choice for step in steps]
+    made = evaluate(choices, folder, name, starts=STARTS, dask=dask, progress=progress)
+    return [_Trial(step, tuple(start.only(i) for start in made)) for i, step in enumerate(steps)]
 
 
 def _with_prior(step: Step) -> float:
