@@ -164,6 +164,21 @@ def test_a_spread_by_other_names_is_read(tmp_path):
         assert read(tmp_path, f"{HEAD},{name}\n12,3,2\n").spin_rate_sd_deg_s == pytest.approx([12], rel=1e-12)
 
 
+def test_readings_come_with_how_well_they_are_known(tmp_path):
+    curve = read(tmp_path, f"{HEAD},bending_amplitude_deg,bending_amplitude_sd_deg,rim lift (mm),rim_lift_std [mm]\n"
+                           "14,70,2.5,0.1,1.5,0.05\n18,200,,,2.5,\n")  # fmt: skip
+    assert not curve.notes
+    np.testing.assert_allclose(np.degrees(curve.values["bending_amplitude"]), [2.5, math.nan])
+    np.testing.assert_allclose(np.degrees(curve.value_sds["bending_amplitude"]), [0.1, math.nan])
+    np.testing.assert_allclose(curve.value_sds["rim_lift"], [5e-5, math.nan])
+    write_curve(curve, tmp_path / "again.csv")
+    again = read_curve(tmp_path / "again.csv")
+    for name in ("bending_amplitude", "rim_lift"):
+        np.testing.assert_allclose(again.values[name], curve.values[name], rtol=1e-9)
+        np.testing.assert_allclose(again.value_sds[name], curve.value_sds[name], rtol=1e-9)
+    assert "above 0" in str(refused(tmp_path, f"{HEAD},rim_lift_mm,rim_lift_sd_mm\n14,70,1,0\n"))
+
+
 def test_a_rate_without_a_unit_is_said_to_be_taken_in_the_usual_one(tmp_path):
     curve = read(tmp_path, "freq,rate\n12,60\n")
     assert curve.spin_rate_deg_s.tolist() == [60]

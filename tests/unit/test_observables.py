@@ -14,6 +14,7 @@ from plategait.simulation.observables import (
     GAITS,
     first_failure,
     gait,
+    period_maxima,
     period_means,
     rotation,
     slip,
@@ -144,6 +145,9 @@ def test_each_sample_counts_for_the_period_it_ends():
     stacked = period_means(time, np.stack([values, 2 * values], axis=1), PERIOD, 4 * PERIOD, 6 * PERIOD)
     np.testing.assert_array_equal(stacked, [[5, 10], [6, 12]])
     assert len(period_means(time, values, PERIOD, 0, 0)) == 0
+    assert len(period_maxima(time, values, PERIOD, 0, 0)) == 0
+    np.testing.assert_array_equal(period_maxima(time, values + np.sin(time), PERIOD, 2 * PERIOD, 5 * PERIOD),
+                                  [(values + np.sin(time))[values == k].max() for k in (3, 4, 5)])  # fmt: skip
 
 
 def test_means_hold_over_a_long_run():

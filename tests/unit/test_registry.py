@@ -63,9 +63,11 @@ def test_over_runs():
 def test_headings_tell_the_unit_that_people_read():
     assert [o.heading for o in all_observables().values() if o.label] == [
         "drift_mm", "velocity_x_mm_s", "velocity_y_mm_s", "contact_fraction",
-        "flight_fraction", "bending_amplitude_deg", "plate_power_mW",
+        "flight_fraction", "bending_amplitude_deg", "rim_lift_mm", "plate_power_mW",
     ]  # fmt: skip
     assert find_observable("plate_power").key == "plate_power_mw"
+    assert find_observable("plate_power").sd_heading == "plate_power_sd_mW"
+    assert find_observable("contact_fraction").sd_heading == "contact_fraction_sd"
     assert find_observable("drift").scale == 1000.0
     with pytest.raises(InputError, match="try bending_amplitude"):
         find_observable("bending_amplitudes")

@@ -43,6 +43,8 @@ class Curve:
         Angular amplitude A_p of each point, where the file tells it.
     values : mapping of str to (n,) array
         Observables by name (`plategait.simulation.registry`), SI, where they are known.
+    value_sds : mapping of str to (n,) array
+        Standard deviation of each observable's values, SI, where it is known.
     notes : tuple of str
         What the file that it was read from has that nothing reads, or that is probably not meant.
     """
@@ -60,6 +62,7 @@ class Curve:
     runs: Array | None = None
     failed_runs: Array | None = None
     values: Mapping[str, Array] = field(default_factory=dict)
+    value_sds: Mapping[str, Array] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
 
     @property

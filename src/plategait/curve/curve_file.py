@@ -60,20 +60,40 @@ def write_curve(curve: Curve, path: Path | str) -> None:
     """Write a curve as CSV with the columns of `COLUMNS` and its observables, whole or not at all."""
     with whole_file(path, (".csv",), "out") as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        observables = [(o, curve.values[o.name]) for o in all_observables().values() if o.name in curve.values]
-        writer.writerow([*COLUMNS, *(observable.heading for observable, _ in observables)])
+        observables = _written(curve)
+        writer.writerow([*COLUMNS, *(heading for heading, _ in observables)])
         unknown = np.full(len(curve.failure), math.nan)
         runs, failed = (unknown if x is None else x for x in (curve.runs, curve.failed_runs))
         # Runs that agree to the last digit show no spread; none is known of the measurement.
         sd = np.where(curve.spin_rate_sd_deg_s > 0, curve.spin_rate_sd_deg_s, math.nan)
-        columns = (curve.frequency_hz, curve.spin_rate_deg_s, sd, curve.gait, curve.failure,
-                   runs, failed, *(observable.scale * values for observable, values in observables))  # fmt: skip
+        columns = (
+            curve.frequency_hz,
+            curve.spin_rate_deg_s,
+            sd,
+            curve.gait,
+            curve.failure,
+            runs,
+            failed,
+            *(values for _, values in observables),
+        )
         for row in zip(*columns, strict=True):
             writer.writerow([v if isinstance(v, str) else f"{v:.10g}" if math.isfinite(v) else "" for v in row])
 
 
+def _written(curve: Curve) -> list[tuple[str, NDArray[np.float64]]]:
+    """Heading and cells, in its unit, of each observable that a curve has, and of how well each is known."""
+    written = []
+    for o in all_observables().values():
+        for kind, heading in ((curve.values, o.heading), (curve.value_sds, o.sd_heading)):
+            if o.name in kind:
+                written.append((heading, o.scale * kind[o.name]))
+    return written
+
+
 def read_curve(path: Path | str) -> Curve:
     """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known the other `COLUMNS`, angle_deg, observables.
+
+    An observable's standard deviation stands under its name with `_sd`: bending_amplitude_deg, bending_amplitude_sd_deg.
 
     Other units and names in the headings are read as well (see `plategait.files.table`), and what people write for a
     failure (`plategait.curve.outcome`). Empty cells are points without that knowledge. What is odd but may be meant is
@@ -86,7 +106,9 @@ def read_curve(path: Path | str) -> Curve:
         number; names the line.
     """
     observables = {o.name: Column(o.unit.removeprefix("1"), required=False) for o in all_observables().values()}
-    columns = _NUMBERS | observables
+    sds = {f"{o.name}_sd": Column(o.unit.removeprefix("1"), required=False, above=0.0, also=(f"{o.name}_std",))
+           for o in all_observables().values() if o.label}  # fmt: skip
+    columns = _NUMBERS | observables | sds
     table = read_table(path, columns, text=_WORDS, field="curve", example="frequency_hz,spin_rate_deg_s")
     names = {n: name for name, column in columns.items() for n in (name, *column.also)}
     names |= {n: name for name, also in _WORDS.items() for n in (name, *also)}
@@ -110,6 +132,7 @@ def read_curve(path: Path | str) -> Curve:
         runs=runs,
         failed_runs=failed_runs,
         values={name: table[name] for name in observables if name in table.numbers},
+        value_sds={n.removesuffix("_sd"): table[n] for n in sds if n in table.numbers},
         notes=tuple(filter(None, notes)),
     )
 

@@ -178,6 +178,16 @@ def period_means(time: Array, values: Array, period: float, start: float, end: f
     return sums / np.maximum(np.bincount(index[within], minlength=count), 1).reshape(-1, *([1] * (values.ndim - 1)))
 
 
+def period_maxima(time: Array, values: Array, period: float, start: float, end: float) -> Array:
+    """(n_periods,) largest of the samples of each whole plate period between two times; NaN where one has none."""
+    index = np.floor((time - start) / period - 1e-9).astype(int)
+    count = math.floor((end - start) / period + 1e-6)
+    within = (time > start) & (index >= 0) & (index < count)
+    largest = np.full(count, -math.inf)
+    np.maximum.at(largest, index[within], values[within])
+    return np.where(np.isfinite(largest), largest, math.nan)
+
+
 def gait(left: Array, right: Array, flight: Array) -> str:
     """Gait by the dissertation's definition (section 4.3), from each whole period's means.
 

@@ -81,6 +81,11 @@ class Window:
         period = self.scenario.motion.period
         return observables.period_means(self.time, self.channels[name], period, self.start, self.end)
 
+    def period_maxima(self, name: str) -> Array:
+        """Largest sample of a channel in each whole plate period of the window."""
+        period = self.scenario.motion.period
+        return observables.period_maxima(self.time, self.channels[name], period, self.start, self.end)
+
     def mean(self, name: str) -> float:
         """Mean of a channel over the window; NaN where it is empty."""
         values = self.period_means(name)
@@ -149,6 +154,11 @@ class Observable:
         return self.name if self.read_in in ("1", "%", "") else f"{self.name}_{self.read_in.replace('/', '_')}"
 
     @property
+    def sd_heading(self) -> str:
+        """Column of its standard deviation in CSV files: "plate_power_sd_mW"."""
+        return self.heading.replace(self.name, f"{self.name}_sd", 1)
+
+    @property
     def key(self) -> str:
         """Its name in JSON: "plate_power_mw"."""
         return re.sub(r"[^a-z0-9]+", "_", self.heading.lower())
@@ -183,6 +193,11 @@ def _bending_amplitude(window: Window) -> float:
     return float(angles.max()) if len(angles) else np.nan
 
 
+def _rim_lift(window: Window) -> float:
+    heights = window.period_maxima("height_high")
+    return float(heights.mean()) if len(heights) else np.nan
+
+
 def _plate_power(window: Window) -> float:
     if window.end <= window.start:
         return np.nan
@@ -208,6 +223,8 @@ BUILT_IN = (
                "time in flight", "%"),
     Observable("bending_amplitude", "rad", "largest rms angle of the bending joints", _bending_amplitude,
                "bending amplitude", "deg"),
+    Observable("rim_lift", "m", "greatest height of the object above the plate in each plate period, in the mean",
+               _rim_lift, "lift of the rim", "mm"),
     Observable("plate_power", "W", "mean power of the plate", _plate_power, "plate power", "mW"),
     Observable("energy_residual", "1", "energy unaccounted for at the end over the energy given",
                lambda w: w.energy.relative_residual, over_runs="worst"),
