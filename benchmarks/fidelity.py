@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import argparse
+import itertools
 import math
 from collections.abc import Sequence
 
@@ -27,6 +28,7 @@ CASES = tuple(c for c in published.curves() if is_reference(c))
 GRID = {3: "12:34:1Hz", 12: "6:15.5:0.5Hz"}
 STEP_GRID = {3: np.arange(12.0, 28.0), 12: np.arange(8.0, 14.0, 0.5)}
 SMALL_STEP = 5e-6
+LAWS = ("thesis", "adams")
 
 
 def scenario_of(name: str, case: PublishedCurve) -> Scenario:
@@ -116,23 +118,27 @@ def twelve(name: str, cases: Sequence[PublishedCurve]) -> None:
 
 
 def steps(name: str, cases: Sequence[PublishedCurve]) -> None:
-    """Rates at the default step against those at a small one, per cent."""
-    for angle, grid in STEP_GRID.items():
-        errors: list[float] = []
-        print(f"\nA_p = {angle} deg\n")
-        print_row(["Hz", *(f"{f:g}" for f in grid)])
-        print_row(["---"] * (len(grid) + 1))
-        for case in (c for c in cases if c.angle_deg == angle):
-            scenario = scenario_of(name, case).replace(duration=3.0)
-            each = [scenario.replace(**{"motion.frequency": float(f)}) for f in grid]
-            coarse = simulate_all(each, repeats=2)
-            fine = simulate_all([s.replace(time_step=SMALL_STEP) for s in each], repeats=2, engine="cpu64")
-            row = [math.nan if a.failed or b.failed else 100 * (a.spin_rate / b.spin_rate - 1)
-                   for a, b in zip(coarse, fine, strict=True)]  # fmt: skip
-            errors += [e for e in row if math.isfinite(e)]
-            print_row([f"{case.omega_pi:g} π", *("–" if math.isnan(e) else f"{e:.1f}" for e in row)])
-        off = np.array(errors)
-        print(f"\n{len(off)} points, r.m.s. {np.sqrt((off**2).mean()):.2f} %, at worst {np.abs(off).max():.1f} %")
+    """Rates at the default step, with either friction law at half of it too, against those at a small one, per cent."""
+    for law, (angle, grid) in itertools.product(LAWS, STEP_GRID.items()):
+        scenarios = [
+            scenario_of(name, case).replace(duration=3.0, **{"friction.law": law, "motion.frequency": float(f)})
+            for case in cases if case.angle_deg == angle for f in grid
+        ]  # fmt: skip
+        small = simulate_all([s.replace(time_step=SMALL_STEP) for s in scenarios], repeats=2, engine="cpu64")
+        for title, of in (("default step", lambda s: s), ("half of it", with_step_halved)):
+            rates = simulate_all([of(s) for s in scenarios], repeats=2)
+            off = np.array([
+                math.nan if a.failed or b.failed else 100 * (a.spin_rate / b.spin_rate - 1)
+                for a, b in zip(rates, small, strict=True)
+            ])  # fmt: skip
+            kept = off[np.isfinite(off)]
+            rms, worst = np.sqrt((kept**2).mean()), np.abs(kept).max()
+            print(f"\n{law}, A_p = {angle} deg, {title}: {len(kept)} points, r.m.s. {rms:.2f} %, at worst {worst:.1f} %\n")
+            print_row(["Hz", *(f"{f:g}" for f in grid)])
+            print_row(["---"] * (len(grid) + 1))
+            named = [c for c in cases if c.angle_deg == angle]
+            for case, row in zip(named, off.reshape(len(named), -1), strict=True):
+                print_row([f"{case.omega_pi:g} π", *("–" if math.isnan(e) else f"{e:.1f}" for e in row)])
 
 
 PARTS = {"fits": fits, "vertex": vertex, "typed": typed, "twelve": twelve, "steps": steps}
