@@ -133,7 +133,7 @@ def steps(name: str, cases: Sequence[PublishedCurve]) -> None:
             ])  # fmt: skip
             kept = off[np.isfinite(off)]
             rms, worst = np.sqrt((kept**2).mean()), np.abs(kept).max()
-            print(f"\n{law}, A_p = {angle} deg, {title}: {len(kept)} points, r.m.s. {rms:.2f} %, at worst {worst:.1f} %\n")
+            print(f"\n{law}, A_p = {angle} deg, {title}: {len(kept)} points, r.m.s. {rms:.2f} %, worst {worst:.1f} %\n")
             print_row(["Hz", *(f"{f:g}" for f in grid)])
             print_row(["---"] * (len(grid) + 1))
             named = [c for c in cases if c.angle_deg == angle]
