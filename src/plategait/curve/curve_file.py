@@ -93,7 +93,7 @@ def _written(curve: Curve) -> list[tuple[str, NDArray[np.float64]]]:
 def read_curve(path: Path | str) -> Curve:
     """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known the other `COLUMNS`, angle_deg, observables.
 
-    An observable's standard deviation stands under its name with `_sd`: bending_amplitude_deg, bending_amplitude_sd_deg.
+    The standard deviation of an observable ends in `_sd`: bending_amplitude_deg, bending_amplitude_sd_deg.
 
     Other units and names in the headings are read as well (see `plategait.files.table`), and what people write for a
     failure (`plategait.curve.outcome`). Empty cells are points without that knowledge. What is odd but may be meant is
