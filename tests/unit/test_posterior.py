@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scipy.stats import norm
+from scipy.stats import cauchy, norm
 
 from plategait.curve.protocol import measured_as
 from plategait.estimate import posterior as posterior_module
@@ -70,13 +70,9 @@ def test_the_likelihood_is_that_of_gaussian_noise_with_an_outlier_now_and_then()
     likelihood = Likelihood(observations(rate), emulator, {}, None)
     u = np.random.default_rng(2).random((20, 2))
     inlier = norm.pdf(rate, linear_rates(u), SD)
-    outlier = norm.pdf(rate, linear_rates(u), OUTLIER_SPREAD * SD)
+    outlier = cauchy.pdf(rate, linear_rates(u), OUTLIER_SPREAD * SD)
     density = (1 - OUTLIER_SHARE) * inlier + OUTLIER_SHARE * outlier
-    with np.errstate(divide="ignore"):
-        expected = np.log(density).sum(axis=1)
-    within_range = np.isfinite(expected)  # what has not underflowed
-    assert within_range.any()
-    np.testing.assert_allclose(likelihood(u)[within_range], expected[within_range], rtol=1e-12)
+    np.testing.assert_allclose(likelihood(u), np.log(density).sum(axis=1), rtol=1e-12)
 
 
 def test_an_error_of_the_emulator_widens_the_noise():
@@ -161,7 +157,7 @@ def test_data_that_the_engine_makes_are_explained(monkeypatch):
     rate = linear_rates(TRUTH[None])[0] + np.random.default_rng(6).normal(0, SD, len(CONDITIONS))
     goodness = goodness_of_fit(sampled(rate, monkeypatch))
     assert goodness.explained
-    assert goodness.freedom == len(CONDITIONS) - 2
+    assert goodness.inliers == len(CONDITIONS)
     assert goodness.p > 0.01
     assert not goodness.outliers
 

@@ -142,15 +142,19 @@ def _posterior(
 
     wanted, angles = planning.wanted, planning.angles
     result = measurement.run(curves, base, motions, seed)
-    plan = planning.run(result, angles, wanted, seed) if planning.asked else None
+    # What to measure next follows from the posterior, which is worth nothing where no parameters explain the data.
+    plan = planning.run(result, angles, wanted, seed) if planning.asked and result.goodness.explained else None
     if output.plot:
         _plot(result, output.plot, seed)
-    if output.out and any(m.determined for m in result.marginals):
-        write_fragment(result.to_fragment(), output.out)
+    written = output.out if any(m.determined for m in result.marginals) else None
+    if written:
+        write_fragment(result.to_fragment(), written)
     if output.as_json:
-        report.print_json(result.summary() | ({"next": plan.summary()} if plan else {}))
+        report.print_json(result.summary() | ({"next": plan.summary() if plan else None} if planning.asked else {}))
     else:
         estimate_report.print_estimate(result, plan)
+        if not result.goodness.explained:
+            estimate_report.print_unexplained(written, planned=planning.asked)
     raise typer.Exit(0 if result.answered else 1)
 
 

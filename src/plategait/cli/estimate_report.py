@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 from plategait.cli import report
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from plategait.estimate.linear import LinearEstimate
     from plategait.estimate.planning import Plan
     from plategait.estimate.result import Estimate
@@ -51,6 +53,16 @@ def print_estimate(result: Estimate, plan: Plan | None) -> None:
         print(f"warning: not explained by any parameters: {complaint}")
     if plan is not None:
         _print_plan(result, plan)
+
+
+def print_unexplained(written: Path | None, *, planned: bool) -> None:
+    """Print what to do about data that no parameters explain, and what is withheld for it."""
+    print("  the numbers above are not to be relied on: check the radius, the mass, A_p, B_p, the height, the duration "
+          "and the slip limit told, and the points named")  # fmt: skip
+    if written is not None:
+        print(f"  {written} says so too")
+    if planned:
+        print("  no advice on what to measure next, as it would follow from these numbers")
 
 
 def _print_plan(result: Estimate, plan: Plan) -> None:

@@ -1,4 +1,9 @@
-"""Goodness of fit: whether any parameters explain the data."""
+"""Goodness of fit: whether any parameters explain the data, by what the posterior itself would have given instead.
+
+Each sample of the posterior predicts rates about which measured ones scatter. The measured residuals are held against
+what such scatter gives by chance, sample by sample, and the probabilities averaged: posterior predictive p-values
+(Gelman, Meng and Stern, 1996), which take the noise as uncertain as it is.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
-from plategait.estimate.likelihood import SURPRISE, Likelihood
+from plategait.estimate.likelihood import Likelihood
 from plategait.estimate.posterior import Posterior
 
 # The data are not explained where chance alone would give so bad a fit less often than this.
@@ -21,42 +26,44 @@ OUTLIER_ODDS = 0.5
 MOST_OUTLIERS = 0.25
 # A noise that had to be taken larger than this explains nothing.
 LARGEST_NOISE = 0.15
-# Permutations of the residuals, and how many of them there must be to permute.
-PERMUTATIONS, LEAST_RESIDUALS = 4000, 6
+# Samples that the data are held against.
+DRAWS = 500
+# Replicas of the residuals, and how many of these there must be to hang together.
+REPLICAS, LEAST_RESIDUALS = 4000, 6
 
 
 @dataclass(frozen=True)
 class Goodness:
-    """How well the best parameters explain the data.
+    """How well the parameters of the posterior explain the data.
 
     Attributes
     ----------
     chi2 : float
-        Squared deviations of the inliers from the best prediction, in units of their spread.
-    freedom : int
-        Inliers less parameters.
+        Squared deviations of the inliers from the prediction, in units of their spread: median over the posterior.
+    inliers : int
+        Rates that count in it; about as large as `chi2` where the data are explained.
     p : float
-        Probability of a fit as bad by chance.
+        Posterior predictive probability of deviations as large.
     p_runs : float
-        Probability by chance of residuals that hang together as much over the plate frequency.
+        Posterior predictive probability of residuals that hang together as much over the plate frequency.
     n_outliers, n_rates : int
         Rates that are probably outliers, of how many.
     outliers : tuple of float
         Their plate frequencies, Hz.
-    run_off_missed : bool
-        Whether no parameters run off where the object did.
+    run_offs : tuple of str
+        Where the object stayed or ran off against every prediction, in words.
     noise : float
         Median relative noise that was needed; NaN where the data came with theirs.
     """
 
     chi2: float
-    freedom: int
+    inliers: int
     p: float
     p_runs: float
     n_outliers: int
     n_rates: int
     outliers: tuple[float, ...]
-    run_off_missed: bool
+    run_offs: tuple[str, ...]
     noise: float
 
     @property
@@ -73,56 +80,68 @@ class Goodness:
         if self.p < SIGNIFICANCE:
             yield f"the rates lie further from every prediction than their noise allows (p = {self.p:.1g})"
         if self.p_runs < SIGNIFICANCE:
-            yield f"the rates lie above and below the best prediction in stretches (p = {self.p_runs:.1g})"
+            yield f"the rates lie above and below the predictions in stretches (p = {self.p_runs:.1g})"
         if self.n_outliers > max(1, MOST_OUTLIERS * self.n_rates):
             yield f"{self.n_outliers} of {self.n_rates} rates would have to be outliers"
-        if self.run_off_missed:
-            yield "no parameters that fit the rates run off where the object did"
+        yield from self.run_offs
         if self.noise > LARGEST_NOISE:
             yield f"only a noise of {100 * self.noise:.0f} % would explain the rates"
 
 
 def goodness_of_fit(posterior: Posterior) -> Goodness:
-    """Compare the data with the best of the samples."""
+    """Hold the data against the samples of the posterior."""
     from scipy.special import chdtrc
 
     likelihood, data = posterior.likelihood, posterior.data
-    best = posterior.full[[int(np.argmax(likelihood(posterior.full)))]]
-    outlying = _outlying(posterior)
-    deviation = np.where(outlying, 0.0, _deviation(likelihood, best))
+    draws = posterior.full[:: max(1, len(posterior.full) // DRAWS)]
+    outlying = _outlying(likelihood, draws)
+    counts = ~outlying & likelihood.emulated
     frequency = data.frequency[data.rated]
-    freedom = int((~outlying).sum()) - best.shape[1]
-    chi2 = float(np.sum(deviation**2))
+    order = np.argsort(frequency[counts], kind="stable")
+    deviation = likelihood.deviations(draws)[:, counts][:, order]
+    chi2 = np.sum(deviation**2, axis=1)
     return Goodness(
-        chi2=chi2,
-        freedom=freedom,
-        p=float(chdtrc(freedom, chi2)) if freedom > 0 else 1.0,
-        p_runs=_p_runs(deviation[np.argsort(frequency, kind="stable")]),
+        chi2=float(np.median(chi2)),
+        inliers=int(counts.sum()),
+        p=float(np.mean(chdtrc(counts.sum(), chi2))) if counts.any() else 1.0,
+        p_runs=_p_runs(deviation),
         n_outliers=int(outlying.sum()),
         n_rates=len(outlying),
         outliers=tuple(float(f) for f in np.unique(frequency[outlying])),
-        run_off_missed=bool(likelihood.run_off_terms(best).min() < math.log(2 * SURPRISE)),
+        run_offs=tuple(_run_offs(likelihood, draws)),
         noise=float(np.median(posterior.noise)) if likelihood.noise_is_unknown else math.nan,
     )
 
 
-def _deviation(likelihood: Likelihood, sample: Array) -> Array:
-    """Deviations (points,) of the rates from the prediction of one sample (1, d), in units of their spread."""
-    parameters, noise = likelihood.split(sample)
-    predicted = likelihood.predicted(parameters)
-    return (likelihood.data.rate[likelihood.data.rated] - predicted)[0] / likelihood.spread(predicted, noise)[0]
-
-
-def _outlying(posterior: Posterior) -> NDArray[np.bool_]:
-    """Rated points (points,) that are probably outliers, over some five hundred of the samples."""
-    inlier, outlier = posterior.likelihood.point_terms(posterior.full[:: max(1, len(posterior.full) // 500)])
+def _outlying(likelihood: Likelihood, draws: Array) -> NDArray[np.bool_]:
+    """Rated points (points,) that are probably outliers."""
+    inlier, outlier = likelihood.point_terms(draws)
     return np.mean(1 / (1 + np.exp(np.clip(inlier - outlier, -50, 50))), axis=0) > OUTLIER_ODDS
 
 
 def _p_runs(deviation: Array) -> float:
-    """Probability by chance of neighbouring residuals as alike as these: a permutation test, one-sided."""
-    if len(deviation) < LEAST_RESIDUALS:
+    """Posterior predictive probability of neighbours as alike as these deviations (draws, points): one-sided."""
+    if deviation.shape[1] < LEAST_RESIDUALS:
         return 1.0
-    shuffled = np.random.default_rng(0).permuted(np.tile(deviation, (PERMUTATIONS, 1)), axis=1)
-    alike = np.sum(shuffled[:, 1:] * shuffled[:, :-1], axis=1)
-    return float((1 + np.sum(alike >= np.sum(deviation[1:] * deviation[:-1]))) / (1 + len(alike)))
+    replicas = np.sort(_likeness(np.random.default_rng(0).normal(size=(REPLICAS, deviation.shape[1]))))
+    beyond = len(replicas) - np.searchsorted(replicas, _likeness(deviation))
+    return float(np.mean((1 + beyond) / (1 + len(replicas))))
+
+
+def _likeness(deviation: Array) -> Array:
+    """Correlation (n,) of neighbouring deviations (n, points)."""
+    alike = np.sum(deviation[:, 1:] * deviation[:, :-1], axis=1)
+    return alike / np.maximum(np.sum(deviation**2, axis=1), 1e-300)
+
+
+def _run_offs(likelihood: Likelihood, draws: Array) -> Iterator[str]:
+    """Where the object stayed though whatever fits has run off there, or ran off where whatever fits stays."""
+    parameters, _ = likelihood.split(draws)
+    for amplitude, (low, high) in likelihood.data.brackets().items():
+        emulator = likelihood.run_offs.get(amplitude)
+        if emulator is None:
+            continue
+        if np.mean(np.exp(emulator.log_between(parameters, low, math.inf))) < SIGNIFICANCE:
+            yield f"it stayed at {low:.4g} Hz, where whatever fits the rates has run off"
+        if math.isfinite(high) and np.mean(np.exp(emulator.log_between(parameters, 0.0, high))) < SIGNIFICANCE:
+            yield f"it ran off at {high:.4g} Hz, where whatever fits the rates stays"

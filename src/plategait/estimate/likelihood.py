@@ -17,8 +17,10 @@ from plategait.estimate.unknowns import Unknown
 NOISE = Unknown(name="noise", low=0.005, high=0.3, logarithmic=True)
 """Relative standard deviation of the rates, an unknown of its own where the data do not come with theirs."""
 LEAST_NOISE = 1.0  # deg/s, of a relative noise: no camera sees a rate better
+# One rate in fifty may be anything, a slipped decimal point or a lost sign included: Cauchy, ten times as wide as its
+# own noise. Its tail falls so slowly that no noise grows to take it in.
 OUTLIER_SHARE = 0.02
-OUTLIER_SPREAD = 10.0  # times a point's own noise
+OUTLIER_SPREAD = 10.0
 # A run-off that no emulator foresaw: an island of stability, the plate knocked, the object cut unevenly.
 SURPRISE = 0.01
 
@@ -69,20 +71,27 @@ class Likelihood:
     def _error(self) -> Array:
         return self.rates.error[self.data.which[self.data.rated]]
 
+    @property
+    def emulated(self) -> NDArray[np.bool_]:
+        """Rated points (points,) whose rate is emulated: where enough of the engine's runs stayed on the plate."""
+        return np.isfinite(self._error)
+
+    def deviations(self, u: Array) -> Array:
+        """Deviations (n, points) of the rated points from the prediction of each sample, in units of their spread."""
+        parameters, noise = self.split(u)
+        predicted = self.predicted(parameters)
+        return (self.data.rate[self.data.rated] - predicted) / self.spread(predicted, noise)
+
     def point_terms(self, u: Array) -> tuple[Array, Array]:
         """Log densities (n, points) of the rated points as inliers, and as outliers; shares taken in."""
         parameters, noise = self.split(u)
         predicted = self.predicted(parameters)
         sd = self.spread(predicted, noise)
-        deviation = self.data.rate[self.data.rated] - predicted
-
-        def log_normal(spread: Array) -> Array:
-            return -0.5 * (deviation / spread) ** 2 - np.log(spread) - 0.5 * math.log(math.tau)
-
-        emulated = np.isfinite(self._error)
-        with np.errstate(invalid="ignore"):
-            inlier = np.where(emulated, log_normal(sd), 0.0) + math.log1p(-OUTLIER_SHARE)
-            outlier = np.where(emulated, log_normal(OUTLIER_SPREAD * sd), -math.inf) + math.log(OUTLIER_SHARE)
+        deviation = (self.data.rate[self.data.rated] - predicted) / np.where(self.emulated, sd, 1.0)
+        log_normal = -0.5 * deviation**2 - np.log(sd) - 0.5 * math.log(math.tau)
+        log_cauchy = -np.log1p((deviation / OUTLIER_SPREAD) ** 2) - np.log(OUTLIER_SPREAD * sd) - math.log(math.pi)
+        inlier = np.where(self.emulated, log_normal, 0.0) + math.log1p(-OUTLIER_SHARE)
+        outlier = np.where(self.emulated, log_cauchy, -math.inf) + math.log(OUTLIER_SHARE)
         return inlier, outlier
 
     def run_off_terms(self, u: Array) -> Array:

@@ -110,7 +110,8 @@ def observe_curves(curves: Sequence[Curve], motions: Sequence[PlateMotion]) -> O
         notes += curve.notes
         failed = curve.failed
         first = float(curve.frequency_hz[failed].min(initial=math.inf))
-        turn = -1.0 if np.nansum(curve.spin_rate_deg_s[~failed]) < 0 else 1.0
+        # By their number, not their sum: one slipped decimal point must not turn all the others round.
+        turn = -1.0 if np.nansum(np.sign(curve.spin_rate_deg_s[~failed])) < 0 else 1.0
         angles = curve.angle_deg if curve.angle_deg is not None else np.full(len(failed), math.nan)
         island = ~failed & (curve.frequency_hz > first) & np.isfinite(curve.spin_rate_deg_s)
         if island.any():

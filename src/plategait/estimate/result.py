@@ -78,8 +78,9 @@ class Estimate:
             "explained": goodness.explained,
             "complaints": list(goodness.complaints),
             "chi2": plain(goodness.chi2),
-            "freedom": goodness.freedom,
+            "inliers": goodness.inliers,
             "p": plain(goodness.p),
+            "p_runs": plain(goodness.p_runs),
             "noise": plain(goodness.noise),
             "outliers_hz": list(goodness.outliers),
             "notes": list(self.posterior.data.notes),
@@ -89,6 +90,8 @@ class Estimate:
 
     def to_fragment(self) -> Fragment:
         """Scenario fragment of what the data determine, with intervals and correlations.
+
+        Where the data are not explained, its source says so and why.
 
         Raises
         ------
@@ -105,7 +108,10 @@ class Estimate:
             for name, x in columns.items()
         }
         correlation = np.atleast_2d(np.corrcoef(np.stack(list(columns.values()))))
-        return Fragment(parameters, correlation, self.confidence, "plategait estimate, posterior of a spin curve")
+        source = "plategait estimate, posterior of a spin curve"
+        if not self.goodness.explained:
+            source += f"; NOT TO BE RELIED ON, as no parameters explain it: {'; '.join(self.goodness.complaints)}"
+        return Fragment(parameters, correlation, self.confidence, source)
 
     def _scenario_values(self) -> dict[str, Array]:
         """Samples (n,) of the scenario's fields that the determined parameters set, SI, by dotted name."""

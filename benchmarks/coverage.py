@@ -1,0 +1,129 @@
+"""Whether the intervals hold the truth and the check is silent, also on data of other models.
+
+``python -m benchmarks.coverage [--objects 60] [--model …] [--noise 0.01] [--unknown-noise] [--curves FILE]``
+
+Objects over the source's whole range (those of ``benchmarks.recovery``) are simulated at twelve plate frequencies by
+our engine, by itself and with another friction law, with torsion, and by the rigid tiles; noise is laid on the rates,
+and the estimator, which knows of none of this, reads ω_n, α and β off them. The tiles take some two minutes an object:
+``--curves`` keeps the rates without noise in a file and takes from it what it has.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks.recovery import BASE, curve_of, true_object
+from benchmarks.robustness import smooth_friction, with_torsion
+from plategait.engine.engines import Engine
+from plategait.estimate.result import Estimate, estimate_parameters
+from plategait.model.scenario import Scenario
+from plategait.simulation.run import START_SPREAD, START_TURN, simulate_all
+
+FREQUENCIES = tuple(float(f) for f in np.linspace(13, 31, 12))
+MODELS = ("as modelled", "smooth friction law", "torsion stiffness", "rigid tiles")
+Points = dict[str, tuple[float, str]]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One estimate beside its truth: errors (ω_n in π rad/s, α in deg, β), what was covered, what the check said."""
+
+    error: tuple[float, ...]
+    covered: tuple[bool, ...]
+    sd: tuple[float, ...]
+    complaints: tuple[str, ...]
+    p: float
+
+
+def changed(scenario: Scenario, model: str) -> Scenario:
+    """The object by another model of ours."""
+    changes = {"smooth friction law": smooth_friction, "torsion stiffness": with_torsion}
+    return changes[model](scenario) if model in changes else scenario
+
+
+def simulated(number: int, model: str) -> Points:
+    """Rates (deg/s) without noise and failures of one object by plate frequency, laid down anew at each."""
+    _, truth = true_object(number)
+    generator = np.random.default_rng([number, 7])
+    scenarios = []
+    for f in FREQUENCIES:
+        (x, y), turn = generator.normal(0, START_SPREAD, 2), generator.normal(0, START_TURN)
+        start = {"start.x": x, "start.y": y, "start.angle": turn}
+        scenarios.append(changed(truth, model).replace(**{"motion.frequency": f, **start}))
+    engine: Engine = "tiles" if model == "rigid tiles" else "cpu"
+    runs = simulate_all(scenarios, engine=engine)
+    return {
+        f"{r.scenario.motion.frequency:g}": (math.degrees(r.spin_rate), r.failure.kind if r.failure else "")
+        for r in runs
+    }
+
+
+def noisy(points: Points, noise: float, seed: int) -> dict[float, tuple[float, str]]:
+    """Points with relative noise on their rates."""
+    generator = np.random.default_rng([seed, 11])
+    return {float(f): (rate * (1 + noise * generator.normal()), kind) for f, (rate, kind) in points.items()}
+
+
+def trial(number: int, points: Points, noise: float, told: bool) -> Trial:
+    """Estimate one object."""
+    truth, _ = true_object(number)
+    curve = curve_of(noisy(points, noise, number))
+    return judged(estimate_parameters(curve, BASE, noise=noise if told else None, seed=number), truth)
+
+
+def judged(estimate: Estimate, truth: np.ndarray) -> Trial:
+    """An estimate beside the truth."""
+    values = estimate.posterior.values[:, :3] / [math.pi, math.radians(1), 1.0]
+    low, middle, high = np.quantile(values, [0.05, 0.5, 0.95], axis=0)
+    return Trial(tuple(middle - truth), tuple(((low <= truth) & (truth <= high)).tolist()), tuple(values.std(axis=0)),
+                 estimate.goodness.complaints, estimate.goodness.p)  # fmt: skip
+
+
+def row(model: str, trials: list[Trial]) -> str:
+    """One line of the table."""
+    error = np.median(np.abs([t.error for t in trials]), axis=0)
+    sd = np.median([t.sd for t in trials], axis=0)
+    covered = np.sum([t.covered for t in trials], axis=0)
+    alarms = sum(bool(t.complaints) for t in trials)
+    return (f"| {model} | {len(trials)} | {error[0]:.2f} ({sd[0]:.2f}) | {error[1]:.2f} ({sd[1]:.2f}) "
+            f"| {covered[0]} | {covered[1]} | {covered[2]} | {alarms} |")  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--objects", type=int, default=60)
+    parser.add_argument("--first", type=int, default=0, help="number of the first object")
+    parser.add_argument("--model", choices=MODELS, action="append", help="only this one; repeatable")
+    parser.add_argument("--noise", type=float, default=0.05)
+    parser.add_argument("--unknown-noise", action="store_true", help="the estimator is not told the noise")
+    parser.add_argument("--curves", type=Path, help="file of rates without noise, written and read: .json")
+    parser.add_argument("--only-curves", action="store_true", help="estimate nothing")
+    parser.add_argument("--verbose", action="store_true")
+    arguments = parser.parse_args()
+    kept = json.loads(arguments.curves.read_text()) if arguments.curves and arguments.curves.exists() else {}
+    print("| data from | objects | error of ω_n, and its sd (π rad/s) | of α (deg) | covers ω_n | α | β | alarms |\n"
+          "|---|---|---|---|---|---|---|---|")  # fmt: skip
+    for model in arguments.model or MODELS:
+        trials = []
+        for number in range(arguments.first, arguments.first + arguments.objects):
+            key = f"{model} {number}"
+            if key not in kept:
+                kept[key] = simulated(number, model)
+                if arguments.curves:
+                    arguments.curves.write_text(json.dumps(kept))
+            if not arguments.only_curves:
+                trials.append(trial(number, kept[key], arguments.noise, not arguments.unknown_noise))
+                if arguments.verbose:
+                    print(number, true_object(number)[0], trials[-1], flush=True)
+        if trials:
+            print(row(model, trials), flush=True)
+
+
+if __name__ == "__main__":
+    main()
