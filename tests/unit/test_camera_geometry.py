@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import re
+import sys
 
 import cv2
 import numpy as np
@@ -13,6 +14,7 @@ import pytest
 from plategait.camera import fiducials
 from plategait.camera.camera import Calibration, Camera, read_calibration, write_calibration
 from plategait.camera.fiducials import plate_target, write_target_pdf
+from plategait.cli.target import target as print_target
 from plategait.errors import InputError
 
 EYE = (0.25, -0.1, 0.4)
@@ -140,6 +142,12 @@ def test_the_printed_page_is_found_by_the_detector_at_true_scale():
     pixels = np.array([detected[k] for k in range(4)])
     # 10 px for 1 mm; 0.1 mm is as well as the page can be cut.
     np.testing.assert_allclose((pixels - middle) * (1e-4, -1e-4), target.corners, atol=1e-4)
+
+
+def test_the_target_needs_no_opencv(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "cv2", None)
+    print_target(tmp_path / "t.pdf")
+    assert (tmp_path / "t.pdf").stat().st_size > 5000
 
 
 def test_the_target_is_a_pdf_of_two_pages_on_a4(tmp_path):

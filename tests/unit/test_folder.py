@@ -10,6 +10,7 @@ import pytest
 
 from plategait.errors import InputError
 from plategait.vision.folder import clips_in, curve_of_clips, frequency_in_name, read_frequencies, track_folder
+from plategait.vision.plate.swing import UNSEEN, PlateSwing
 from plategait.vision.setup import Setup
 from plategait.vision.spin import Spin
 
@@ -49,7 +50,7 @@ def test_folders_without_clips_are_refused(tmp_path):
 
 
 def test_each_clip_has_its_frequency_and_a_bad_one_costs_no_other(tmp_path, monkeypatch):
-    for name in ("14Hz.mp4", "IMG_1.mov", "IMG_2.mov", "18Hz.mp4"):
+    for name in ("14Hz.mp4", "IMG_1.mov", "IMG_2.mov", "IMG_3.mov", "18Hz.mp4"):
         (tmp_path / name).touch()
     asked = {}
 
@@ -59,16 +60,22 @@ def test_each_clip_has_its_frequency_and_a_bad_one_costs_no_other(tmp_path, monk
         if path.name == "18Hz.mp4":
             raise InputError("video", "nothing like a plate", "a plate", "a plate")
         rate = Spin(1.0, 0.9, 1.1, True, 0.1)
-        return SimpleNamespace(spin=rate, plate_frequency=setup.plate_frequency or 16.0, drift=0.0)
+        seen = {"IMG_2": PlateSwing(16.0, 0.1, None, 900.0), "IMG_3": PlateSwing(10.0, 0.1, None, 900.0, (20.0, 40.0))}
+        plate = seen.get(path.stem, UNSEEN)
+        frequency = setup.plate_frequency or (plate.frequency if plate.certain else math.nan)
+        return SimpleNamespace(spin=rate, plate_frequency=frequency, plate=plate, drift=0.0)
 
     monkeypatch.setattr("plategait.vision.folder.track", track)
     done = []
     clips = track_folder(tmp_path, Setup(), frequencies={"IMG_1": 15.0}, progress=done.append)
-    assert asked == {"14Hz.mp4": 14.0, "18Hz.mp4": 18.0, "IMG_1.mov": 15.0, "IMG_2.mov": None}
-    assert [(c.frequency, c.source) for c in clips] == [
+    assert asked == {"14Hz.mp4": 14.0, "18Hz.mp4": 18.0, "IMG_1.mov": 15.0, "IMG_2.mov": None, "IMG_3.mov": None}
+    assert [(c.frequency, c.source) for c in clips[:4]] == [
         (14.0, "given"), (18.0, "given"), (15.0, "given"), (16.0, "measured"),
     ]  # fmt: skip
-    assert done == [0.125, 0.375, 0.625, 0.875]
+    assert done == [0.1, 0.3, 0.5, 0.7, 0.9]
+    # What was only seen, and may be another, is no frequency of a curve.
+    assert math.isnan(clips[4].frequency)
+    assert "any of 10, 20, 40 Hz" in clips[4].trouble
     assert "nothing like a plate" in clips[1].trouble
     curve = curve_of_clips(clips, "folder")
     assert curve.frequency_hz.tolist() == [14.0, 15.0, 16.0, 18.0]

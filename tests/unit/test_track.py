@@ -22,9 +22,10 @@ from plategait.cli.track import track
 from plategait.errors import InputError
 from plategait.vision.frames import open_video
 from plategait.vision.object import parallax
-from plategait.vision.plate.swing import plate_swing
+from plategait.vision.plate.swing import aliases_of, plate_swing
 from plategait.vision.setup import Setup
 from plategait.vision.spin import apparent_frequency, spin_of
+from plategait.vision.stamps import stamps_of
 from plategait.vision.track import track as follow
 
 FREQUENCY, SWING = 11.0, math.radians(4)
@@ -164,18 +165,53 @@ def test_the_plate_tells_its_tilt_its_frequency_and_the_lens() -> None:
         p = np.column_stack([corners, np.ones(len(corners))]) @ H.T
         pixels = p[:, :2] / p[:, 2:] + 0.1 * noise.normal(size=(len(corners), 2))
         views.append(cv2.findHomography(corners, pixels)[0])
-    moved = plate_swing(time, np.array(views), (0.1, 0.1), (camera.matrix[0, 2], camera.matrix[1, 2]))
+    moved = plate_swing(stamps_of(time), np.array(views), (0.1, 0.1), (camera.matrix[0, 2], camera.matrix[1, 2]))
     # A tenth of a pixel on 150 px wide views: about 3 % of the lens, and less of the tilt over 90 frames.
     assert moved.focal == pytest.approx(camera.matrix[0, 0], rel=0.03)
     assert math.degrees(moved.tilt) == pytest.approx(10, abs=0.5)
-    # 30 frames per second show 24 Hz as 6 Hz.
+    # 30 frames per second show 24 Hz as 6 Hz, as they would 36, 54 and 66 Hz.
     assert moved.frequency == pytest.approx(6, abs=0.02)
+    assert not moved.certain
+    np.testing.assert_allclose(moved.aliases, [24, 36, 54, 66], atol=0.05)
     assert moved.eye is not None
     assert np.abs(np.median(moved.eye, axis=0) - camera.eye).max() < 0.02
     # Frames that come unevenly show the true frequency.
     uneven = time + np.random.default_rng(7).uniform(0, 0.01, len(time))
     again = [homography_of(camera, math.radians(10) * math.sin(2 * math.pi * 24 * t), 0.0) for t in uneven]
-    assert plate_swing(uneven, np.array(again), (0.1, 0.1), (319.5, 179.5)).frequency == pytest.approx(24, abs=0.05)
+    told = plate_swing(stamps_of(uneven), np.array(again), (0.1, 0.1), (319.5, 179.5))
+    assert told.frequency == pytest.approx(24, abs=0.05)
+    assert told.certain
+    # A hand that sways twenty times as far does not hide it.
+    sway = np.array([[[1, 0, 60 * math.sin(0.9 * t)], [0, 1, 40 * math.cos(1.3 * t)], [0, 0, 1]] for t in uneven])
+    held = plate_swing(stamps_of(uneven), sway @ np.array(again), (0.1, 0.1), (319.5, 179.5))
+    assert held.frequency == pytest.approx(24, abs=0.05)
+
+
+@pytest.mark.parametrize("fps", [29.97, 30.0, 60.0, 120.0])
+def test_stamps_of_milliseconds_are_rounded_not_uneven(fps: float) -> None:
+    taken = np.delete(np.arange(200) / fps, [20, 21, 90])
+    for time in (taken, np.round(1e3 * taken) / 1e3, np.floor(1e3 * taken) / 1e3):
+        stamps = stamps_of(time)
+        # A millisecond over 200 frames: a part in a thousand at 120 frames per second, and less below.
+        assert stamps.fps == pytest.approx(fps, rel=1e-3)
+        assert stamps.even
+        assert stamps.missing == 3
+        assert not stamps.varies
+        # Put where they were taken: a fitted line knows that better than a tick.
+        assert np.abs(np.diff(stamps.time) - np.diff(taken)).max() < 2e-5
+    uneven = np.round(1e3 * np.cumsum(np.random.default_rng(3).uniform(0.02, 0.05, 90))) / 1e3
+    shaken = stamps_of(uneven - uneven[0])
+    assert not shaken.even
+    assert shaken.varies
+    np.testing.assert_array_equal(shaken.time, uneven - uneven[0])
+    assert math.isnan(stamps_of(np.zeros(1)).fps)
+
+
+def test_frequencies_that_even_frames_do_not_tell_apart() -> None:
+    np.testing.assert_allclose(aliases_of(10.0, 30.0), [20, 40, 50, 70, 80])
+    np.testing.assert_allclose(aliases_of(20.0, 60.0), [40, 80])
+    # A plate does not shake at 100 Hz: at 120 frames per second 20 Hz is what is seen.
+    assert aliases_of(20.0, 120.0) == ()
 
 
 @pytest.fixture(scope="module")
@@ -249,7 +285,9 @@ def test_a_file_cut_short_and_an_object_that_leaves_are_noted(tmp_path: Path) ->
 
 def test_what_is_seen_of_the_plate_overrules_what_is_said_of_it(clip: Path) -> None:
     wrong = follow(clip, replace(SETUP, plate_frequency=17.0))
-    assert any("17 Hz" in note and "seen at 11" in note for note in wrong.notes)
+    assert any("17 Hz" in note and "13 Hz here, but is seen at" in note for note in wrong.notes)
+    # A hundredth of the resolution of a second.
+    assert wrong.plate.frequency == pytest.approx(11, abs=0.02)
     assert math.degrees(wrong.spin.rate) == pytest.approx(250, rel=0.005)
     with pytest.raises(InputError, match="--plate-size"):
         follow(clip, replace(SETUP, fiducial=0.02))

@@ -20,6 +20,12 @@ if TYPE_CHECKING:
 
 
 DICTIONARY = "DICT_4X4_50"
+_BLACK = (
+    ("######", "#.#..#", "##.#.#", "###..#", "###.##", "######"),
+    ("######", "######", "#....#", "#.##.#", "#.#.##", "######"),
+    ("######", "###..#", "###..#", "###.##", "#..#.#", "######"),
+    ("######", "#.##.#", "#.##.#", "##.###", "##..##", "######"),
+)  # of that dictionary, markers 0 to 3
 IDS = (0, 1, 2, 3)
 MODULES = 6
 """Squares along the side of a marker, its black border included; a white margin of one square goes around it."""
@@ -87,11 +93,8 @@ def plate_target(size_x: float, size_y: float, marker: float = 0.02) -> PlateTar
 
 
 def marker_modules(number: int) -> NDArray[np.bool_]:
-    """(6, 6) squares of a marker, True where black, top row first."""
-    import cv2
-
-    dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, DICTIONARY))
-    return cv2.aruco.generateImageMarker(dictionary, number, MODULES) == 0
+    """(6, 6) squares of a marker of `IDS`, True where black, top row first."""
+    return np.array([[square == "#" for square in row] for row in _BLACK[number]])
 
 
 def write_target_pdf(target: PlateTarget, path: Path | str) -> Path:

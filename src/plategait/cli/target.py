@@ -18,7 +18,6 @@ def target(
 ) -> None:
     """Print the markers for a plate's corners and for the object, at true scale."""
     check_writable(out, (".pdf",), "TARGET.pdf")
-    filmed.require_opencv()
     from plategait.camera.fiducials import plate_target, write_target_pdf
 
     size = filmed.read_size(plate_size)

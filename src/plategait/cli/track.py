@@ -73,7 +73,7 @@ def print_track(result: Track) -> None:
         ["drift of the centre", number(s["drift_mm"], "mm")],
         ["followed by", s["method"] + (f", alike after 1/{s['symmetry']} turn" if s["symmetry"] > 1 else "")],
         ["sure frames", f"{s['sure_frames']} of {s['frames']}, {number(s['fps'], 'per second', 2)}"],
-        ["plate frequency", number(s["plate_frequency_hz"], "Hz", 2)],
+        ["plate frequency", _plate_frequency(s)],
         ["plate tilt A_p", number(s["plate_tilt_deg"], "deg")],
     ]
     rows += [[f"  {reason}", f"{count} frames"] for reason, count in list(s["uncertain"].items())[:5]]
@@ -86,6 +86,18 @@ def print_track(result: Track) -> None:
 
 def _rates(rates: list[float]) -> str:
     return ", ".join(f"{r:.0f}" for r in rates) + " deg/s" if rates else "–"
+
+
+def _plate_frequency(s: dict[str, Any]) -> str:
+    """Plate frequency where it is known; one that was only seen never without those that look the same."""
+    if s["plate_frequency_hz"] is not None:
+        return f"{s['plate_frequency_hz']:.2f} Hz"
+    if s["plate_frequency_seen_hz"] is None:
+        return "–"
+    return (
+        " or ".join(f"{f:.4g}" for f in sorted([s["plate_frequency_seen_hz"], *s["plate_frequency_aliases_hz"]]))
+        + " Hz"
+    )
 
 
 def _preview(path: Path, setup: Setup) -> Any:

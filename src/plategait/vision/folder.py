@@ -15,6 +15,7 @@ from plategait.curve.curve import Curve
 from plategait.curve.protocol import USUAL
 from plategait.errors import InputError
 from plategait.files.rows import read_rows
+from plategait.vision.plate.swing import PlateSwing
 from plategait.vision.setup import Setup
 from plategait.vision.track import Track, track
 
@@ -124,8 +125,9 @@ def track_folder(
 ) -> list[Clip]:
     """Follow the object in every clip of a folder.
 
-    The plate frequency comes from the table given, else from the file's name, else from the plate as it was seen. A
-    clip that cannot be followed stays in the list with the reason, so that one bad clip costs no other.
+    The plate frequency comes from the table given, else from the file's name, else from the plate as it was seen, but
+    for a clip in which another frequency would look the same: that has none. A clip that cannot be followed stays in
+    the list with the reason, so that one bad clip costs no other.
 
     Parameters
     ----------
@@ -160,9 +162,18 @@ def track_folder(
         used = result.plate_frequency if frequency is None else frequency
         trouble = result.spin.reason if math.isnan(result.spin.rate) else ""
         if math.isnan(used):
-            trouble = "its plate frequency is neither in the name nor to be seen"
+            trouble = _unknown_frequency(result.plate)
         clips.append(Clip(path, used, source, result, trouble))
     return clips
+
+
+def _unknown_frequency(plate: PlateSwing) -> str:
+    """Why a plate's frequency is not known from its clip, and what to do about it."""
+    cure = "name the clip by it (24Hz.mp4) or give --frequencies"
+    if plate.aliases:
+        seen = ", ".join(f"{f:.4g}" for f in sorted((plate.frequency, *plate.aliases)))
+        return f"its plate frequency may be any of {seen} Hz, which look the same in these frames; {cure}"
+    return f"its plate frequency is neither in the name nor to be seen; {cure}"
 
 
 def curve_of_clips(clips: list[Clip], name: str) -> Curve:

@@ -118,6 +118,7 @@ def open_video(source: Path | str, *, fps: float | None = None, seconds: float |
         raise InputError("--fps", fps, "frames per second, above 0", "120")
     if seconds is not None and not seconds > 0:
         raise InputError("--seconds", seconds, "a time above 0", "10")
+    _silence_opencv()
     if str(source).isdigit() and not os.path.exists(source):
         if fps is not None:
             raise InputError("--fps", fps, "left out with a camera, whose own times are used", "a file of its film")
@@ -126,6 +127,13 @@ def open_video(source: Path | str, *, fps: float | None = None, seconds: float |
     else:
         with _file(Path(source), fps, seconds) as video:
             yield video
+
+
+def _silence_opencv() -> None:
+    """Keep OpenCV's own lines off the terminal: what is wrong is said in ours."""
+    import cv2
+
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
 
 
 @contextmanager
@@ -249,7 +257,6 @@ def _frame_of(picture: Any, index: int, time: float, width: int, height: int) ->
 def _camera(index: int, seconds: float) -> Iterator[Video]:
     import cv2
 
-    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)  # what is wrong is said below
     device = cv2.VideoCapture(index)
     try:
         if not device.isOpened():

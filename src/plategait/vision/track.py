@@ -15,12 +15,13 @@ from plategait.files.plain import plain
 from plategait.vision.frames import Frame, open_video, repeats
 from plategait.vision.lens import scaled_matrix, undistorter
 from plategait.vision.object.pose import Pose
-from plategait.vision.plate.swing import PlateSwing, plate_swing
+from plategait.vision.plate.swing import UNSEEN, PlateSwing, plate_swing
 from plategait.vision.plate.view import PlateView, ScalePlate
 from plategait.vision.pose_reader import PoseReader
 from plategait.vision.pose_series import PoseSeries
 from plategait.vision.setup import Setup
 from plategait.vision.spin import Spin, apparent_frequency
+from plategait.vision.stamps import Stamps, stamps_of
 
 # Successive frames at the end without the object that mean that it has gone, s.
 GONE = 0.5
@@ -51,7 +52,7 @@ class Track:
         Frames per second, as they came.
     plate : PlateSwing
     plate_frequency : float
-        As given, else as the camera saw it, Hz; NaN where unknown.
+        As given, else as the camera saw it where nothing else looks the same, Hz; NaN where unknown.
     spin : Spin
     notes : tuple of str
         What to know about the clip.
@@ -111,6 +112,7 @@ class Track:
             "duration_s": float(self.time[-1] - self.time[0]),
             "plate_frequency_hz": self.plate_frequency,
             "plate_frequency_seen_hz": self.plate.frequency,
+            "plate_frequency_aliases_hz": list(self.plate.aliases),
             "plate_tilt_deg": math.degrees(self.plate.tilt),
             "notes": [*self.notes, *spin.notes],
         }
@@ -149,15 +151,16 @@ def track(
     readings = _read_frames(source, setup, reader, follow, progress)
     notes = list(readings.notes)
     method = setup.object if setup.object in readings.poses else _better(readings.poses)
-    time, repeated = np.array(readings.time), repeats(np.array(readings.changes))
+    stamps, repeated = stamps_of(np.array(readings.time)), repeats(np.array(readings.changes))
+    notes += stamps.notes
+    time, fps = stamps.time, stamps.fps
     poses = PoseSeries.of(time, readings.poses[method], repeated)
     symmetry = _symmetry(reader, method, notes)
-    fps = _frame_rate(time, notes)
-    plate = _plate_swing(time, np.array(readings.views), repeated, reader, setup)
-    agree = _note_frequency(setup.plate_frequency, plate.frequency, fps, notes)
-    frequency = setup.plate_frequency or plate.frequency
+    plate = _plate_swing(stamps, np.array(readings.views), repeated, reader, setup)
+    agree = _note_frequency(setup.plate_frequency, plate, stamps, notes)
+    frequency = setup.plate_frequency or (plate.frequency if plate.certain else math.nan)
     # What is seen decides what the swing does to the frames.
-    swing = frequency if agree else plate.frequency
+    swing = setup.plate_frequency or plate.frequency if agree else plate.frequency
     eye = plate.eye if method == "markers" else None
     spin = poses.spin(symmetry, fps, swing if math.isfinite(swing) else None, eye, notes)
     if method != "markers":
@@ -199,7 +202,8 @@ def _read_frames(
             view, poses = reader.read(frame)
             readings.time.append(frame.time)
             readings.changes.append(frame.change)
-            readings.views.append(np.full((3, 3), math.nan) if view.homography is None else view.homography)
+            H = view.homography
+            readings.views.append(np.full((3, 3), math.nan) if H is None or view.reason else H)
             for name, pose in poses.items():
                 readings.poses[name].append(pose)
             if follow is not None:
@@ -220,18 +224,10 @@ def _symmetry(reader: PoseReader, method: str, notes: list[str]) -> int:
     return symmetry
 
 
-def _frame_rate(time: Array, notes: list[str]) -> float:
-    """Frames per second, as they came; intervals that are not alike are noted."""
-    interval = float(np.median(np.diff(time))) if len(time) > 1 else math.nan
-    if len(time) > 2:
-        _note_intervals(np.diff(time), interval, notes)
-    return 1 / interval if interval > 0 else math.nan
-
-
-def _plate_swing(time: Array, views: Array, repeated: Flags, reader: PoseReader, setup: Setup) -> PlateSwing:
+def _plate_swing(stamps: Stamps, views: Array, repeated: Flags, reader: PoseReader, setup: Setup) -> PlateSwing:
     """What the plate does, before the lens that is known of the camera; nothing of a plate that is not followed."""
     if isinstance(reader.plate, ScalePlate):
-        return PlateSwing(math.nan, math.nan, None, math.nan)
+        return UNSEEN
     middle, focal = ((reader.picture[0] - 1) / 2, (reader.picture[1] - 1) / 2), None
     if setup.calibration is not None:
         K = scaled_matrix(setup.calibration, reader.picture[0])
@@ -239,7 +235,7 @@ def _plate_swing(time: Array, views: Array, repeated: Flags, reader: PoseReader,
     elif reader.plate.lens is not None:
         focal = float(reader.plate.lens[0, 0])
     fresh = np.where(repeated[:, None, None], math.nan, views)
-    return plate_swing(time, fresh, setup.plate_size, middle, focal)
+    return plate_swing(stamps, fresh, setup.plate_size, middle, focal)
 
 
 def _turning(spin: Spin, duration: float, method: str, symmetry: int) -> Spin:
@@ -258,27 +254,24 @@ def _better(poses: dict[str, list[Pose]]) -> str:
     return max(counts, key=lambda name: (counts[name] > 0.9 * max(counts.values()), -list(counts).index(name)))
 
 
-def _note_intervals(intervals: Array, usual: float, notes: list[str]) -> None:
-    missing = int(np.sum(np.round(intervals[intervals > 1.5 * usual] / usual) - 1))
-    if missing:
-        notes.append(f"frames missing by their times: {missing}")
-    regular = intervals[(intervals < 1.5 * usual)]
-    if len(regular) and np.std(regular) > 0.1 * usual:
-        notes.append("the frame rate varies")
-
-
-def _note_frequency(nominal: float | None, observed: float, fps: float, notes: list[str]) -> bool:
+def _note_frequency(nominal: float | None, plate: PlateSwing, stamps: Stamps, notes: list[str]) -> bool:
     """Whether the plate's nominal frequency agrees with the observed one; note what does not, or may be otherwise."""
-    if not math.isfinite(observed):
+    seen = plate.frequency
+    if not math.isfinite(seen):
         return True
-    apparent = observed if nominal is None else nominal if observed > 0.5 * fps else apparent_frequency(nominal, fps)
-    if nominal is None and observed <= 0.5 * fps:
-        others = ", ".join(f"{k * fps + s * observed:.4g}" for k in (1, 2) for s in (-1, 1))
-        notes.append(f"the plate is seen at {observed:.4g} Hz; on even frames {others} Hz look the same")
-    agree = abs(apparent - observed) <= max(0.01 * fps, 0.3)
+    if nominal is None:
+        if plate.aliases:
+            others = ", ".join(f"{f:.4g}" for f in plate.aliases)
+            notes.append(f"the plate is seen at {seen:.4g} Hz; {others} Hz look the same in these frames")
+        return True
+    # A clip tells a frequency to a part of one swing over its length.
+    near = max(0.01 * stamps.fps, 0.3, 0.3 / float(np.ptp(stamps.time)))
+    if stamps.even:
+        nominal_seen = apparent_frequency(nominal, stamps.fps)
+        agree = abs(nominal_seen - seen) <= near
+        looks = f", which would look like {nominal_seen:.4g} Hz here"
+    else:
+        agree, looks = any(abs(nominal - f) <= near for f in (seen, *plate.aliases)), ""
     if not agree:
-        notes.append(
-            f"the plate was said to swing at {nominal:.4g} Hz, which would look like {apparent:.4g} Hz here, "
-            f"but is seen at {observed:.4g} Hz"
-        )
+        notes.append(f"the plate was said to swing at {nominal:.4g} Hz{looks}, but is seen at {seen:.4g} Hz")
     return agree

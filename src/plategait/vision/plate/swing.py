@@ -8,11 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from plategait.arrays import Array
+from plategait.vision.stamps import Stamps
 
 # Frames that the search for a frequency looks at, and what share of the motion a single frequency must hold.
 MOST_FRAMES, LEAST_POWER = 4000, 0.5
-# Spread of the frame intervals over the usual one above which frames come unevenly, and frequencies looked at then, Hz.
-UNEVEN, UNEVEN_FASTEST = 0.02, 80.0
+# No plate shakes an object faster than this, Hz: twice what the source's does.
+FASTEST = 80.0
+# Another frequency is told from the best where it leaves this many times the squared residual, and is looked for among
+# so many of the strongest.
+TOLD_APART, RIVALS = 2.0, 12
+# A hand or a tripod is slower than this, s.
+SLOW = 0.7
 # Swings of the plate's corners smaller than this are noise, px.
 LEAST_SWING = 1.0
 # Focal lengths over the picture's longer side that a camera has.
@@ -26,7 +32,9 @@ class PlateSwing:
     Attributes
     ----------
     frequency : float
-        As the camera sees it, Hz: the true one or that less a multiple of the frame rate; NaN where none stands out.
+        As the camera sees it, Hz: the true one or one that looks the same; NaN where none stands out.
+    aliases : tuple of float
+        Others up to 80 Hz that these frames do not tell from it, rising, Hz.
     tilt : float
         Amplitude A_p about the bar, rad; NaN where it cannot be known.
     eye : (n, 3) array or None
@@ -39,17 +47,27 @@ class PlateSwing:
     tilt: float
     eye: Array | None
     focal: float
+    aliases: tuple[float, ...] = ()
+
+    @property
+    def certain(self) -> bool:
+        """Whether the plate's frequency is known from what was seen alone."""
+        return math.isfinite(self.frequency) and not self.aliases
+
+
+UNSEEN = PlateSwing(math.nan, math.nan, None, math.nan)
+"""Of a plate whose motion is not seen."""
 
 
 def plate_swing(
-    time: Array, views: Array, size: tuple[float, float], middle: tuple[float, float], focal: float | None = None
+    stamps: Stamps, views: Array, size: tuple[float, float], middle: tuple[float, float], focal: float | None = None
 ) -> PlateSwing:
     """Motion of the plate from its homographies.
 
     Parameters
     ----------
-    time : (n,) array
-        s.
+    stamps : Stamps
+        When the n frames were taken.
     views : (n, 3, 3) array
         From plate coordinates, m, to pixels; NaN where it was not seen.
     size : (length, width)
@@ -61,16 +79,17 @@ def plate_swing(
     """
     visible = np.isfinite(views).all(axis=(1, 2))
     if visible.sum() < 8:
-        return PlateSwing(math.nan, math.nan, None, math.nan)
+        return UNSEEN
+    time = stamps.time
     H = np.linalg.inv(np.array([[1, 0, middle[0]], [0, 1, middle[1]], [0, 0, 1.0]])) @ views[visible]
-    frequency = _frequency(time[visible], _corners(H, size))
+    frequency, aliases = _frequency(time[visible], _corners(H, size), stamps)
     focal = focal or focal_of(H, max(middle) * 2)
     if not focal:
-        return PlateSwing(frequency, math.nan, None, math.nan)
+        return PlateSwing(frequency, math.nan, None, math.nan, aliases)
     R, t = poses(H, focal)
     eye = np.full((len(time), 3), math.nan)
     eye[visible] = -np.einsum("nji,nj->ni", R, t)
-    return PlateSwing(frequency, _tilt(time[visible], R, frequency), eye, focal)
+    return PlateSwing(frequency, _tilt(time[visible], R, frequency), eye, focal, aliases)
 
 
 def focal_of(H: Array, longest: float) -> float | None:
@@ -134,32 +153,76 @@ def _corners(H: Array, size: tuple[float, float]) -> Array:
     return (out[..., :2] / out[..., 2:]).reshape(len(H), 8)
 
 
-def _frequency(time: Array, corners: Array) -> float:
-    """Frequency of the main swing of the corners, Hz; NaN where there is none.
+def aliases_of(frequency: float, fps: float) -> tuple[float, ...]:
+    """Frequencies (Hz) up to 80 Hz that even frames, `fps` per second, do not tell from this one, rising."""
+    rest = frequency % fps
+    rest = min(rest, fps - rest)
+    every = {round(k * fps + sign * rest, 6) for k in range(int(FASTEST / fps) + 2) for sign in (-1, 1)}
+    return tuple(sorted(f for f in every if 0 < f <= FASTEST and abs(f - frequency) > 1e-3))
 
-    Up to half the frame rate where frames come evenly. Where they do not, faster swings are told from slow ones.
+
+def _frequency(time: Array, corners: Array, stamps: Stamps) -> tuple[float, tuple[float, ...]]:
+    """Frequency of the main swing of the corners, Hz, NaN where there is none; and those that fit about as well.
+
+    Up to half the frame rate where frames come evenly. Where they do not, faster swings may be told from slow ones.
     """
     time, corners = time[:MOST_FRAMES], corners[:MOST_FRAMES]
-    swing = corners - np.median(corners, axis=0)
-    swing = swing @ np.linalg.svd(swing, full_matrices=False)[2][0]
-    swing -= swing.mean()
-    intervals = np.diff(time)
-    usual = float(np.median(intervals))
-    duration, uneven = float(np.ptp(time)), float(np.std(intervals[intervals < 1.5 * usual])) / usual
-    fastest = UNEVEN_FASTEST if uneven > UNEVEN else 0.5 / usual
+    found: list[tuple[float, float]] = []
+    # A hand's sway may be larger than the swing, but is slower.
+    for slow in (_smoothed(time, corners), np.median(corners, axis=0)):
+        swing = corners - slow
+        swing = swing @ np.linalg.svd(swing, full_matrices=False)[2][0]
+        swing -= swing.mean()
+        if not found and np.std(swing) >= LEAST_SWING:
+            found = _peaks(time, swing, stamps)
+    if not found:
+        return math.nan, ()
+    (best, left), *others = found
+    if stamps.even:
+        return best, aliases_of(best, stamps.fps)
+    return best, tuple(sorted(f for f, rest in others if rest < TOLD_APART * left))
+
+
+def _peaks(time: Array, swing: Array, stamps: Stamps) -> list[tuple[float, float]]:
+    """Frequencies, Hz, that a swing may be of, and the share of its square that each leaves, the best first.
+
+    Empty where none holds the least share of it.
+    """
+    duration = float(np.ptp(time))
+    fastest = min(0.5 * stamps.fps, FASTEST) if stamps.even else FASTEST
     grid = np.arange(1 / duration, fastest * 1.0001, 0.2 / duration)
-    if np.std(swing) < LEAST_SWING or len(grid) < 3:
-        return math.nan
-
-    def power(f: float) -> float:
-        A = _swing(time, f)
-        return float(np.var(A @ np.linalg.lstsq(A, swing, rcond=None)[0])) / float(np.var(swing))
-
-    few = slice(None, None, max(1, len(time) // 1000)) if uneven <= UNEVEN else slice(1000)
-    sums = [abs(np.exp(-2j * math.pi * f * time[few]) @ swing[few]) for f in grid]
+    if len(grid) < 3:
+        return []
+    few = slice(None, None, max(1, len(time) // 1000)) if stamps.even else slice(1000)
+    sums = np.array([abs(np.exp(-2j * math.pi * f * time[few]) @ swing[few]) for f in grid])
     best = float(grid[int(np.argmax(sums))])
-    fine = np.linspace(best - 0.25 / duration, best + 0.25 / duration, 41)
-    fine = fine[(fine > 0) & (fine <= fastest)]
-    powers = [power(f) for f in fine]
-    k = int(np.argmax(powers))
-    return float(fine[k]) if powers[k] > LEAST_POWER else math.nan
+    padded = np.pad(sums, 1)
+    tops = np.nonzero((sums >= padded[:-2]) & (sums >= padded[2:]))[0]
+    tops = tops[np.argsort(-sums[tops])][: 1 if stamps.even else RIVALS]
+    refined = sorted((_refined(float(f), time, swing, fastest) for f in (best, *grid[tops])), key=lambda peak: peak[1])
+    apart: list[tuple[float, float]] = []
+    for f, left in refined:
+        if all(abs(f - g) > 1 / duration for g, _ in apart):
+            apart.append((f, left))
+    return apart if apart[0][1] < 1 - LEAST_POWER else []
+
+
+def _refined(frequency: float, time: Array, swing: Array, fastest: float) -> tuple[float, float]:
+    """Best frequency about one, Hz, and the share of the squared swing that it leaves."""
+    duration = float(np.ptp(time))
+    fine = frequency + np.linspace(-0.25, 0.25, 41) / duration
+    fine = fine[(fine > 0) & (fine <= fastest * 1.0001)]
+    left = []
+    for f in fine:
+        A = _swing(time, f)
+        left.append(float(np.var(swing - A @ np.linalg.lstsq(A, swing, rcond=None)[0])) / float(np.var(swing)))
+    k = int(np.argmin(left))
+    return float(fine[k]), left[k]
+
+
+def _smoothed(time: Array, corners: Array) -> Array:
+    """(n, k) slow part of series: their mean over a window."""
+    total = np.concatenate([np.zeros((1, corners.shape[1])), np.cumsum(corners, axis=0)])
+    low = np.searchsorted(time, time - SLOW / 2, "left")
+    high = np.searchsorted(time, time + SLOW / 2, "right")
+    return (total[high] - total[low]) / (high - low)[:, None]

@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from plategait.arrays import Array, Picture
-from plategait.camera.fiducials import PlateTarget
+from plategait.camera.fiducials import DICTIONARY, PlateTarget
 
 # Corners of the fiducials that lie further than this from where the homography puts them are not theirs: px, or a share
 # of their side.
@@ -103,7 +103,7 @@ class FiducialPlate:
         self.target = target
         self.size = target.size
         self.lens: Array | None = None
-        dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+        dictionary = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, DICTIONARY))
         self._detectors = []
         # Thoroughly over the whole picture, and more quickly where a fiducial is expected.
         for low, high, step in ((5, 53, 12), (45, 45, 10)):
