@@ -31,6 +31,7 @@ from plategait.simulation.run import START_SPREAD, START_TURN, simulate
 
 NOISE = 0.05
 BASE = measured_as(preset("cheese").scenario)
+OBJECT = unknowns(BASE, fixed=("bending_damping", "plate_height"))
 Outcome = tuple[float, str]
 
 
@@ -39,7 +40,7 @@ def true_object(number: int) -> tuple[np.ndarray, Scenario]:
     generator = np.random.default_rng(1000 + number)
     omega = 1.4 * (33 / 1.4) ** generator.random()
     truth = np.array([omega, generator.uniform(24, 57), generator.uniform(0.3, 0.9)])
-    return truth, unknowns(BASE).scenario(truth * (math.pi, math.radians(1), 1.0))
+    return truth, OBJECT.scenario(truth * (math.pi, math.radians(1), 1.0))
 
 
 def measurement(scenario: Scenario, generator: np.random.Generator, noise: float = NOISE) -> Callable[[float], Outcome]:

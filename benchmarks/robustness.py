@@ -12,9 +12,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from benchmarks.recovery import BASE, NOISE, Outcome, curve_of, measurement, spread
+from benchmarks.recovery import BASE, NOISE, OBJECT, Outcome, curve_of, measurement, spread
 from plategait.estimate.result import Estimate, estimate_parameters
-from plategait.estimate.unknowns import unknowns
 from plategait.model.outline import Disk
 from plategait.model.scenario import Scenario
 from plategait.simulation.run import simulate_all
@@ -90,7 +89,7 @@ def main() -> None:
     for name in [*CHANGES, "rigid tiles"]:
         estimates = []
         for i, truth in enumerate(OBJECTS[: arguments.tiles if name == "rigid tiles" else arguments.objects]):
-            scenario = unknowns(BASE).scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
+            scenario = OBJECT.scenario(np.multiply(truth, (math.pi, math.radians(1), 1.0)))
             generator = np.random.default_rng(i)
             if name == "rigid tiles":
                 points = measured_on_tiles(scenario, generator, arguments.noise)

@@ -36,6 +36,7 @@ _COMMON: dict[str, tuple[float, str]] = {
     "m^2/s^2": (1.0, "m^2/s^2"), "mm^2/s^2": (1e-6, "m^2/s^2"), "m*rad/s^2": (1.0, "m*rad/s^2"),
     "mm*deg/s^2": (1e-3 * _DEG, "m*rad/s^2"), "rad^2/s^2": (1.0, "rad^2/s^2"), "deg^2/s^2": (_DEG**2, "rad^2/s^2"),
     "J": (1.0, "J"), "W": (1.0, "W"), "mW": (1e-3, "W"),
+    "Pa": (1.0, "Pa"), "kPa": (1e3, "Pa"), "N*m": (1.0, "N*m"), "mN*m": (1e-3, "N*m"),
     "N/m": (1.0, "N/m"), "N/mm": (1e3, "N/m"),
     "N*s/m": (1.0, "N*s/m"), "N/(mm/s)": (1e3, "N*s/m"), "N*s/mm": (1e3, "N*s/m"),
     "N*m/rad": (1.0, "N*m/rad"), "N*mm/deg": (1e-3 / _DEG, "N*m/rad"), "N*mm/rad": (1e-3, "N*m/rad"),

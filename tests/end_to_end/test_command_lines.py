@@ -53,6 +53,11 @@ LINES = [
     ("simulate disk.toml", 'sheet.outline.radius … 40 m, … try "40 mm"'),
     ("simulate heavy.toml", 'sheet.mass … 13.6 kg … try "13.6 g"'),
     ("simulate --mu-s 75%", '--mu-s … try "0.75"'),
+    ("estimate peak.csv --height '5 ± 1'", '--height … 5 m … try "5 mm"'),
+    ("estimate peak.csv --height '5 ± 1 mm' --fixed plate_height", "--fixed … plate_height"),
+    ("estimate peak.csv --thickness '2 mm ± thin'", "--thickness … thin"),
+    ("estimate peak.csv --fixed c_b", "--fixed … c_b … bending_damping"),
+    ("estimate peak.csv --free bending_damping", "--free … bending_damping … mass"),
     ("estimate peak.csv --confidence 100%", "--confidence … below 1"),
     # Files that are not there, or are something else
     ("fit nofile.csv", "nofile.csv … file"),

@@ -92,7 +92,7 @@ def test_an_estimate_of_files_is_that_of_what_they_hold(curve_file):
 
 @pytest.mark.parametrize(
     ("named", "field"),
-    [({"confidence": "high"}, "confidence"), ({"noise": "loud"}, "noise"), ({"free": "colour"}, "--free"),
+    [({"confidence": "high"}, "confidence"), ({"noise": "loud"}, "noise"), ({"free": "colour"}, "free"),
      ({"motions": []}, "motions")],
 )  # fmt: skip
 def test_options_of_an_estimate_are_checked_by_name(named, field, curve_file):

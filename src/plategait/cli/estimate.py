@@ -58,7 +58,8 @@ def estimate(
     _refuse_redundant(context, curves)
     motions = setup.motions(base, len(curves))
     if method == "posterior":
-        _posterior(curves, measured_as(base, measurement.protocol), motions, measurement, planning, output, seed)
+        base = measured_as(base, measurement.protocol)
+        _posterior(curves, base, motions, setup, measurement, planning, output, seed)
     else:
         _linear(curves, base.replace(motion=motions[0]), method, coefficients, output)
 
@@ -132,6 +133,7 @@ def _posterior(
     curves: list[Curve],
     base: Scenario,
     motions: list[PlateMotion],
+    setup: SetupOptions,
     measurement: MeasurementOptions,
     planning: PlanOptions,
     output: OutputOptions,
@@ -141,7 +143,7 @@ def _posterior(
     from plategait.model.fragment import write_fragment
 
     wanted, angles = planning.wanted, planning.angles
-    result = measurement.run(curves, base, motions, seed)
+    result = measurement.run(curves, base, motions, setup, seed)
     # What to measure next follows from the posterior, which is worth nothing where no parameters explain the data.
     plan = planning.run(result, angles, wanted, seed) if planning.asked and result.goodness.explained else None
     if output.plot:

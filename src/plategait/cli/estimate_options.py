@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,6 +12,7 @@ import typer
 from plategait.cli import options, report
 from plategait.curve.protocol import USUAL, Protocol
 from plategait.errors import InputError
+from plategait.model.fragment import read_fragment
 from plategait.model.outline import Disk
 from plategait.model.scenario import Scenario
 from plategait.units import ANGLE, ANGULAR_FREQUENCY, PLATE_ANGLE, Quantity
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
 
 _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
+_HEIGHT = Quantity("m", "mm", "5 mm", at_least=-1, at_most=1)
 _TIME = Quantity("s", "s", "2 s", above=0)
 _SHARE = Quantity("", "", "0.05", above=0)
 
@@ -41,11 +44,49 @@ class SetupOptions:
     stroke: options.Stroke = None
     mass: Annotated[str | None, typer.Option("--mass", help='Mass of the object: "13.6 g".')] = None
     radius: Annotated[str | None, typer.Option("--radius", help='Radius of a disk: "40 mm".')] = None
+    height: Annotated[
+        str | None,
+        typer.Option("--height", help='Plate\'s surface above the axis that it turns about: "5 mm", "5 ± 1 mm".'),
+    ] = None
+    thickness: Annotated[
+        str | None, typer.Option("--thickness", help='For Young\'s modulus: "2.5 mm" or "2.5 ± 0.1 mm".')
+    ] = None
+
+    @property
+    def plate_height(self) -> tuple[float, float] | None:
+        """Height of the plate and how well it is known, m."""
+        return None if self.height is None else read_measured(self.height, _HEIGHT, "--height")
+
+    @property
+    def thickness_sd(self) -> float:
+        """How well the thickness is known, m."""
+        return 0.0 if self.thickness is None else read_measured(self.thickness, _LENGTH, "--thickness")[1]
+
+    @property
+    def known(self) -> dict[str, tuple[float, float]]:
+        """What is told of c_b, as a factor, and of the plate's height with how well it is known: SI value and sd."""
+        known = {}
+        for path in self.measured or []:
+            told = read_fragment(path).parameters.get("sheet.bending_damping")
+            if told is not None and told.sd > 0 and told.value > 0:
+                known["bending_damping"] = (1.0, told.sd / told.value)
+        if self.plate_height is not None and self.plate_height[1] > 0:
+            known["plate_height"] = self.plate_height
+        return known
+
+    @property
+    def exact(self) -> tuple[str, ...]:
+        """What is told without a spread, and so not sought."""
+        return ("plate_height",) if self.plate_height is not None and self.plate_height[1] == 0 else ()
 
     def build(self) -> Scenario:
         """Scenario of the object; the lattice grows with the radius."""
         base = options.build(self.scenario, stroke=self.stroke, measured=self.measured)
         changes: dict[str, Any] = {}
+        if self.plate_height is not None:
+            changes["motion.height"] = self.plate_height[0]
+        if self.thickness is not None:
+            changes["sheet.thickness"] = read_measured(self.thickness, _LENGTH, "--thickness")[0]
         if self.radius is not None:
             radius, outline = _LENGTH.read(self.radius, "--radius"), base.sheet.outline
             if not isinstance(outline, Disk):
@@ -77,7 +118,14 @@ class MeasurementOptions:
     beta: Annotated[str | None, typer.Option("--beta", help="Kinetic over static friction, where it is known.")] = None
     free: Annotated[
         list[str] | None,
-        typer.Option("--free", help="Estimate this too: mass, bending_damping, contact_damping; repeatable."),
+        typer.Option("--free", help="Estimate this too: mass, contact_damping; repeatable."),
+    ] = None
+    fixed: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--fixed",
+            help="Known, so not estimated: bending_damping, plate_height, friction_angle, …; repeatable.",
+        ),
     ] = None
     noise: Annotated[
         str | None, typer.Option("--noise", help="Relative noise of the rates: 0.05 or 5%. Estimated if left out.")
@@ -97,7 +145,9 @@ class MeasurementOptions:
             _TIME.read(self.duration, "--duration"), slip_limit=_LENGTH.read(self.slip_limit, "--slip-limit")
         )
 
-    def run(self, curves: list[Curve], base: Scenario, motions: list[PlateMotion], seed: int) -> Estimate:
+    def run(
+        self, curves: list[Curve], base: Scenario, motions: list[PlateMotion], setup: SetupOptions, seed: int
+    ) -> Estimate:
         """Estimate with the engine in the loop."""
         from plategait.estimate.result import estimate_parameters
 
@@ -109,6 +159,9 @@ class MeasurementOptions:
                 noise=None if self.noise is None else _share(self.noise, "--noise"),
                 friction_ratio=None if self.beta is None else _SHARE.read(self.beta, "--beta"),
                 free=tuple(self.free or ()),
+                fixed=(*(self.fixed or ()), *setup.exact),
+                measured=setup.known,
+                thickness_sd=setup.thickness_sd,
                 confidence=_share(self.confidence, "--confidence"),
                 seed=seed,
                 progress=progress,
@@ -173,3 +226,21 @@ def _share(text: str, option: str) -> float:
     if text.strip().endswith("%"):
         return _SHARE.read(text.strip()[:-1].strip(), option) / 100
     return _SHARE.read(text, option)
+
+
+def read_measured(text: str, quantity: Quantity, option: str) -> tuple[float, float]:
+    """Value and standard deviation, SI, of "5 mm" (0) or "5 ± 1 mm".
+
+    Raises
+    ------
+    InputError
+        When either is no number of what is measured, or the spread is below 0.
+    """
+    value, sign, spread = text.replace("+/-", "±").replace("+-", "±").partition("±")
+    if not sign:
+        return quantity.read(text, option), 0.0
+    unit = spread.strip().lstrip("+-.0123456789eE").strip()
+    value = value.strip()
+    bare = value[-1:].isdigit() or value.endswith(".")
+    sd = replace(quantity, above=-math.inf, at_least=0.0).read(spread.strip(), option)
+    return quantity.read(f"{value} {unit}" if bare else value, option), sd

@@ -14,15 +14,6 @@ if TYPE_CHECKING:
     from plategait.estimate.planning import Plan
     from plategait.estimate.result import Estimate
 
-_LABELS = {
-    "natural_frequency": "natural frequency ω_n",
-    "friction_angle": "friction angle α",
-    "friction_ratio": "β = μ_k/μ_s",
-    "mass": "mass over that told",
-    "bending_damping": "c_b over that told",
-    "contact_damping": "contact damping over that told",
-}
-
 
 def print_linear(result: LinearEstimate) -> None:
     """Print an estimate by the source's method, or why there is none."""
@@ -33,19 +24,23 @@ def print_linear(result: LinearEstimate) -> None:
         print("try --method posterior, which has no such bounds")
         return
     numbers = result.summary()["parameters"]
-    rows = [[_LABELS[n], f"{v['median']:.2f} ± {v['sd']:.2f} {v['unit']}"] for n, v in numbers.items()]
+    from plategait.estimate.result import LABELS
+
+    rows = [[LABELS[n], f"{v['median']:.2f} ± {v['sd']:.2f} {v['unit']}"] for n, v in numbers.items()]
     report.print_table(f"{result.method} method, {result.coefficients} coefficients", ["", "± one sd"], rows)
 
 
 def print_estimate(result: Estimate, plan: Plan | None) -> None:
     """Print a posterior's marginals, what to know of the fit, and what to measure next."""
-    from plategait.estimate.result import correlated
+    from plategait.estimate.result import LABELS, correlated
 
-    rows = [[_LABELS[m.parameter.name], m.text, m.interval_text] for m in result.marginals]
+    shown = (*result.marginals, *result.stiffness)
+    rows = [[LABELS[m.parameter.name], m.text, m.interval_text] for m in shown]
     title = f"{len(result.posterior.data.which)} points, {result.posterior.runs.rates.size} runs of the engine"
     report.print_table(title, ["", "± one sd", f"{100 * result.confidence:g} % interval"], rows)
     for a, b, r in correlated(result):
-        print(f"{_LABELS[a]} and {_LABELS[b]} are correlated: {r:+.2f}")
+        print(f"{LABELS[a]} and {LABELS[b]} are correlated: {r:+.2f}")
+    report.print_table("assumed of the set-up", ["", "taken as"], [[a.label, a.text] for a in result.assumed])
     report.print_notes(result.posterior.data.notes)
     if result.goodness.outliers:
         print(f"probably outliers, left out in effect: {', '.join(f'{f:g}' for f in result.goodness.outliers)} Hz")
@@ -67,13 +62,14 @@ def print_unexplained(written: Path | None, *, planned: bool) -> None:
 
 def _print_plan(result: Estimate, plan: Plan) -> None:
     from plategait.estimate.planning import MOST_MEASUREMENTS
+    from plategait.estimate.result import LABELS
 
     c = plan.condition
     print(f"measure next at {c.frequency:.2f} Hz with A_p = {math.degrees(c.angle):.3g} deg "
           f"(runs off with a probability of {100 * plan.runs_off:.0f} %)")  # fmt: skip
     for p in (m.parameter for m in result.marginals):
         now, after = plan.sd_now[p.name] / p.scale, plan.sd_after[p.name] / p.scale
-        print(f"  {_LABELS[p.name]}: sd {now:.2g} now, {after:.2g} expected after {p.unit}".rstrip())
+        print(f"  {LABELS[p.name]}: sd {now:.2g} now, {after:.2g} expected after {p.unit}".rstrip())
     if plan.needed:
         least, median, most = (f"{n}{' or more' if n >= MOST_MEASUREMENTS else ''}" for n in plan.needed)
         print("  the precision wanted is there" if plan.needed[1] == 0 else

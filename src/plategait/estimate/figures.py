@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 AXIS_LABELS = {
     "natural_frequency": "$\\omega_n$ (π rad/s)", "friction_angle": "$\\alpha$ (deg)",
     "friction_ratio": "$\\beta$ = $\\mu_k/\\mu_s$", "mass": "mass over that told",
-    "bending_damping": "$c_b$ over that told", "contact_damping": "contact damping over that told",
+    "bending_damping": "$c_b$ over that told", "plate_height": "plate above its axis (mm)",
+    "contact_damping": "contact damping over that told",
 }  # fmt: skip
 
 

@@ -16,6 +16,7 @@ from plategait.estimate.posterior import Posterior
 from plategait.estimate.runs import EngineRuns, run_engine
 
 DRAWS = 40  # of the posterior that the engine runs: enough for a quadratic of three unknowns
+MORE_DRAWS = 8  # for each unknown beyond
 SAMPLES = 2000  # of the posterior, for which the emulators stand in
 # Candidates span the gaits about the usual run-off, A_p ω_p² = 8e4 deg/s² in the source.
 USUAL_ACCELERATION = math.radians(8e4)
@@ -116,7 +117,8 @@ def forecast_of(
         Called with the fraction done.
     """
     generator = np.random.default_rng(seed)
-    draws = posterior.u[generator.choice(len(posterior.u), DRAWS, replace=False)]
+    size = DRAWS + MORE_DRAWS * max(0, posterior.u.shape[1] - 3)
+    draws = posterior.u[generator.choice(len(posterior.u), size, replace=False)]
     samples = posterior.u[generator.choice(len(posterior.u), SAMPLES, replace=False)]
     grid = [condition for amplitude in amplitudes for condition in _grid(amplitude)]
     runs = run_engine(posterior.unknowns, draws, grid, seed=seed, progress=progress)

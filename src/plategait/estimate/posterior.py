@@ -47,9 +47,9 @@ class Effort:
 
     first_round: int = 48
     later_round: int = 32
-    more_per_unknown: int = 16
+    more_per_unknown: int = 4
     most_rounds: int = 3
-    good_enough: float = 0.2
+    good_enough: float = 0.3
     near: float = 8.0
     walkers: int = 96
     steps: int = 400
@@ -59,7 +59,7 @@ class Effort:
     def rounds(self, dimensions: int) -> tuple[int, int]:
         """Parameter sets of the first round and of each later one, for so many unknowns."""
         more = self.more_per_unknown * max(0, dimensions - 3)
-        return self.first_round + 2 * more, self.later_round + more
+        return self.first_round + more, self.later_round + more
 
 
 @dataclass(frozen=True, eq=False)

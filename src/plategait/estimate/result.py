@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -15,10 +15,12 @@ from plategait.arrays import Array
 from plategait.curve.curve import Curve
 from plategait.curve.curve_file import as_curve
 from plategait.errors import InputError
+from plategait.estimate.assumptions import Assumption, assumptions
 from plategait.estimate.goodness import Goodness, goodness_of_fit
 from plategait.estimate.identifiability import CONFIDENCE, Marginal, marginal_of
 from plategait.estimate.observations import observe_curves
 from plategait.estimate.posterior import Posterior, estimate_posterior
+from plategait.estimate.stiffness import bending_stiffness, stiffness_of
 from plategait.estimate.unknowns import unknowns
 from plategait.files.plain import plain
 from plategait.model.fragment import Fragment
@@ -29,6 +31,20 @@ from plategait.model.scenario import Scenario
 from plategait.units import Quantity
 
 _SHARE = Quantity("", "", "0.9")
+
+LABELS = {
+    "natural_frequency": "natural frequency ω_n",
+    "friction_angle": "friction angle α",
+    "friction_ratio": "β = μ_k/μ_s",
+    "mass": "mass over that told",
+    "bending_damping": "c_b over that told",
+    "plate_height": "plate above its axis",
+    "contact_damping": "contact damping over that told",
+    "bending_stiffness": "bending stiffness k_b",
+    "plate_stiffness": "plate stiffness D",
+    "youngs_modulus": "Young's modulus E",
+}
+"""What people call each number of an estimate."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +59,15 @@ class Estimate:
     goodness : Goodness
     confidence : float
         Of the intervals.
+    thickness_sd : float
+        How well the scenario's thickness is known, m: Young's modulus goes with its third power.
     """
 
     posterior: Posterior
     marginals: tuple[Marginal, ...]
     goodness: Goodness
     confidence: float
+    thickness_sd: float = 0.0
 
     def __getitem__(self, name: str) -> Marginal:
         """Marginal posterior of one parameter by name."""
@@ -58,6 +77,20 @@ class Estimate:
     def correlation(self) -> Array:
         """(d, d) correlation of the parameters."""
         return np.atleast_2d(np.corrcoef(self.posterior.u, rowvar=False))
+
+    @cached_property
+    def stiffness(self) -> tuple[Marginal, ...]:
+        """k_b, plate stiffness and Young's modulus; none where the natural frequency is not sought."""
+        posterior = self.posterior
+        omega = next((m for m in self.marginals if m.parameter.name == "natural_frequency"), None)
+        if omega is None:
+            return ()
+        return stiffness_of(posterior.unknowns, posterior.values, omega, self.confidence, self.thickness_sd)
+
+    @property
+    def assumed(self) -> tuple[Assumption, ...]:
+        """What of the set-up the numbers rest on."""
+        return assumptions(self.posterior.unknowns, self.posterior.data.conditions, self.thickness_sd)
 
     @property
     def answered(self) -> bool:
@@ -71,6 +104,8 @@ class Estimate:
             "method": "posterior",
             "confidence": self.confidence,
             "parameters": {m.parameter.name: m.summary() for m in self.marginals},
+            "stiffness": {m.parameter.name: m.summary() for m in self.stiffness},
+            "assumed": {a.name: a.summary() for a in self.assumed},
             "correlation": {
                 "between": [m.parameter.name for m in self.marginals],
                 "matrix": self.correlation.tolist(),
@@ -111,23 +146,32 @@ class Estimate:
         source = "plategait estimate, posterior of a spin curve"
         if not self.goodness.explained:
             source += f"; NOT TO BE RELIED ON, as no parameters explain it: {'; '.join(self.goodness.complaints)}"
-        return Fragment(parameters, correlation, self.confidence, source)
+        return Fragment(parameters, correlation, self.confidence, source, tuple(self._remarks()))
+
+    def _remarks(self) -> Iterator[str]:
+        """What to know beside the numbers of a fragment, in lines."""
+        for m in self.stiffness[1:]:
+            interval = f" ({m.interval_text}, {100 * self.confidence:g} %)" if m.determined else ""
+            yield f"{LABELS[m.parameter.name]}: {m.text}{interval}"
+        for a in self.assumed:
+            yield f"assumed: {a.label} {a.text}"
 
     def _scenario_values(self) -> dict[str, Array]:
-        """Samples (n,) of the scenario's fields that the determined parameters set, SI, by dotted name."""
-        posterior = self.posterior
-        base = posterior.unknowns.base
-        sampled = {m.parameter.name: posterior.values[:, i] for i, m in enumerate(self.marginals) if m.determined}
+        """Samples (n,) of the scenario's fields that the determined parameters set, SI, by dotted name.
+
+        The plate's height is the set-up's and no property of the object. c_b goes with the stiffness whether it is
+        determined or not: their errors are tied to each other.
+        """
+        posterior, base = self.posterior, self.posterior.unknowns.base
+        sought = {m.parameter.name: posterior.values[:, i] for i, m in enumerate(self.marginals)}
+        sampled = {name: x for name, x in sought.items() if self[name].determined}
         columns: dict[str, Array] = {}
-        mass = sampled.get("mass", np.ones(len(posterior.u)))
         if "mass" in sampled:
-            columns["sheet.mass"] = base.sheet.mass * mass
+            columns["sheet.mass"] = base.sheet.mass * sampled["mass"]
         if "natural_frequency" in sampled:
-            omega = sampled["natural_frequency"]
-            per_square = posterior.unknowns.scenario(posterior.values[0]).sheet.bending_stiffness / omega[0] ** 2
-            columns["sheet.bending_stiffness"] = per_square * omega**2 * mass / mass[0]
-        if "bending_damping" in sampled:
-            columns["sheet.bending_damping"] = base.sheet.bending_damping * sampled["bending_damping"]
+            columns["sheet.bending_stiffness"] = bending_stiffness(posterior.unknowns, posterior.values)
+        if "bending_damping" in sampled or ("natural_frequency" in sampled and "bending_damping" in sought):
+            columns["sheet.bending_damping"] = base.sheet.bending_damping * sought["bending_damping"]
         if "friction_angle" in sampled:
             columns["friction.static"] = np.tan(sampled["friction_angle"])
             if "friction_ratio" in sampled:
@@ -146,6 +190,8 @@ def estimate_parameters(
     friction_ratio: float | None = None,
     free: Sequence[str] = (),
     fixed: Sequence[str] = (),
+    measured: Mapping[str, tuple[float, float]] | None = None,
+    thickness_sd: float = 0.0,
     confidence: float = CONFIDENCE,
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
@@ -166,9 +212,14 @@ def estimate_parameters(
     friction_ratio : float, optional
         β = μ_k/μ_s where it is known.
     free : sequence of str
-        What else is unknown: "mass", "bending_damping", "contact_damping".
+        What else is unknown: "mass", "contact_damping".
     fixed : sequence of str
-        Parameters that are not sought, since the scenario has them: "natural_frequency", "friction_angle".
+        Parameters that are not sought, since the scenario has them: "bending_damping", "plate_height",
+        "natural_frequency", "friction_angle".
+    measured : mapping of str to (value, sd), optional
+        What is known from elsewhere of "plate_height" (m) or of "bending_damping" (as a factor on the scenario's).
+    thickness_sd : float
+        How well the scenario's thickness is known, m, for Young's modulus.
     confidence : float
         Of the intervals.
     seed : int
@@ -189,10 +240,10 @@ def estimate_parameters(
         raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
                          "[scenario.motion]")  # fmt: skip
     data = observe_curves(curves, motions or [scenario.motion] * len(curves))
-    parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed)
+    parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed, measured=measured)
     posterior = estimate_posterior(data, parameters, noise=noise, seed=seed, progress=progress)
     marginals = tuple(marginal_of(p, posterior.u[:, i], confidence) for i, p in enumerate(parameters.parameters))
-    return Estimate(posterior, marginals, goodness_of_fit(posterior), confidence)
+    return Estimate(posterior, marginals, goodness_of_fit(posterior), confidence, thickness_sd)
 
 
 def _read_confidence(value: float) -> float:

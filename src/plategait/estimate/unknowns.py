@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -15,11 +16,13 @@ from plategait.model.scenario import Scenario
 from plategait.units import Quantity, parse
 
 _FACTOR = Quantity("", "", "1.1", above=0)
+# Ends of a normal prior, in standard deviations from its middle.
+_TAILS = 3.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Unknown:
-    """One parameter to estimate, with its prior: uniform between two ends, or uniform in the logarithm.
+    """One parameter to estimate, with its prior between two ends: even or normal, in the value or its logarithm.
 
     Parameters
     ----------
@@ -28,7 +31,10 @@ class Unknown:
     low, high : float
         Ends of the prior, SI.
     logarithmic : bool
-        Uniform in the logarithm: for what may differ by factors.
+        In the logarithm: for what may differ by factors.
+    shape : {"even", "normal"}
+        Even where nothing is known; normal about the middle, three standard deviations to either end, where it was
+        measured.
     quantity : Quantity
         What it measures.
     """
@@ -37,6 +43,7 @@ class Unknown:
     low: float
     high: float
     logarithmic: bool = False
+    shape: Literal["even", "normal"] = "even"
     quantity: Quantity = _FACTOR
 
     @property
@@ -51,15 +58,35 @@ class Unknown:
 
     def value(self, u: Array | float) -> Array:
         """SI value at the share `u` (0 to 1) of the prior."""
+        place = np.asarray(u, dtype=float)
+        if self.shape == "normal":
+            from scipy.special import ndtr, ndtri
+
+            tail = ndtr(-_TAILS)
+            place = 0.5 + 0.5 * ndtri(tail + (1 - 2 * tail) * place) / _TAILS
         if self.logarithmic:
-            return self.low * (self.high / self.low) ** np.asarray(u)
-        return self.low + (self.high - self.low) * np.asarray(u)
+            return self.low * (self.high / self.low) ** place
+        return self.low + (self.high - self.low) * place
 
     def share(self, value: float) -> float:
         """Share of the prior below an SI value; the inverse of `value`."""
         if self.logarithmic:
-            return math.log(value / self.low) / math.log(self.high / self.low)
-        return (value - self.low) / (self.high - self.low)
+            place = math.log(value / self.low) / math.log(self.high / self.low)
+        else:
+            place = (value - self.low) / (self.high - self.low)
+        if self.shape == "normal":
+            from scipy.special import ndtr
+
+            tail = ndtr(-_TAILS)
+            place = (ndtr((2 * place - 1) * _TAILS) - tail) / (1 - 2 * tail)
+        return float(place)
+
+    def measured(self, value: float, sd: float) -> Unknown:
+        """Same parameter with what was measured of it for a prior, SI."""
+        if self.logarithmic:
+            factor = math.exp(_TAILS * sd / value)
+            return replace(self, low=value / factor, high=value * factor, shape="normal")
+        return replace(self, low=value - _TAILS * sd, high=value + _TAILS * sd, shape="normal")
 
 
 NATURAL_FREQUENCY = Unknown(
@@ -79,12 +106,19 @@ FRICTION_RATIO = Unknown(name="friction_ratio", low=0.2, high=1.0, quantity=SHOR
 MASS = Unknown(name="mass", low=0.8, high=1.25, logarithmic=True)
 """Factor on the mass told."""
 BENDING_DAMPING = Unknown(name="bending_damping", low=0.1, high=10.0, logarithmic=True)
-"""Factor on the bending damping told."""
+"""Factor on the bending damping told: wide, as c_b is hardly ever known and looks like ω_n in what bends."""
+PLATE_HEIGHT = Unknown(
+    name="plate_height", low=-5e-3, high=5e-3, quantity=Quantity("m", "mm", "5 mm", at_least=-1, at_most=1)
+)
+"""Height of the plate's surface above the axis that it turns about: 5 mm to either side of what is told."""
 CONTACT_DAMPING = Unknown(name="contact_damping", low=0.3, high=3.0, logarithmic=True)
 """Factor on the contact damping told."""
 
 ALWAYS = (NATURAL_FREQUENCY, FRICTION_ANGLE, FRICTION_RATIO)
-ON_REQUEST = (MASS, BENDING_DAMPING, CONTACT_DAMPING)
+OF_THE_SETUP = (BENDING_DAMPING, PLATE_HEIGHT)
+"""Sought too unless they are fixed: what nobody knows of an object, and few of a plate."""
+ON_REQUEST = (MASS, CONTACT_DAMPING)
+ALL = (*ALWAYS, *OF_THE_SETUP, *ON_REQUEST)
 # What each factor multiplies; with the mass the bending stiffness, so that ω_n stays what it is.
 _SCALED = {
     "mass": ("sheet.mass", "sheet.bending_stiffness", "sheet.torsion_stiffness"),
@@ -121,11 +155,19 @@ class Unknowns:
         by_name = dict(zip(self.names, map(float, values), strict=True))
         base = with_values(self.base, {name: value for name, value in by_name.items() if name in SHORTHANDS})
         factors = {field: by for name, by in by_name.items() for field in _SCALED.get(name, ())}
-        return with_values(base, {field: value_of(base, field) * by for field, by in factors.items()})
+        changes = {field: value_of(base, field) * by for field, by in factors.items()}
+        if PLATE_HEIGHT.name in by_name:
+            changes["motion.height"] = by_name[PLATE_HEIGHT.name]
+        return with_values(base, changes)
 
 
 def unknowns(
-    base: Scenario, *, free: Sequence[str] = (), friction_ratio: float | None = None, fixed: Sequence[str] = ()
+    base: Scenario,
+    *,
+    free: Sequence[str] = (),
+    friction_ratio: float | None = None,
+    fixed: Sequence[str] = (),
+    measured: Mapping[str, tuple[float, float]] | None = None,
 ) -> Unknowns:
     """Choose what to estimate.
 
@@ -133,27 +175,52 @@ def unknowns(
     ----------
     base : Scenario
     free : sequence of str
-        Of "mass", "bending_damping", "contact_damping": estimated as well.
+        Of "mass", "contact_damping": estimated as well.
     friction_ratio : float, optional
         β, where it is known.
     fixed : sequence of str
-        Parameters that the scenario holds already.
+        Parameters that the scenario holds already, "bending_damping" and "plate_height" among them.
+    measured : mapping of str to (value, sd), optional
+        What is known from elsewhere of "plate_height" (m) or of "bending_damping" (as a factor on the scenario's).
 
     Raises
     ------
     InputError
-        For a name that is none of these.
+        For a name that is none of these, or a spread that is not above 0.
     """
-    names = [p.name for p in (*ALWAYS, *ON_REQUEST)]
-    for name in (*free, *fixed):
-        if name not in names:
-            raise InputError("--free", name, f"one of {', '.join(p.name for p in ON_REQUEST)}", "mass")
+    _check_names("free", free, [p.name for p in ON_REQUEST])
+    _check_names("fixed", fixed, [p.name for p in ALL])
+    _check_names("measured", measured or (), [p.name for p in OF_THE_SETUP])
+    for name in set(fixed) & {*free, *(measured or {})}:
+        raise InputError("fixed", name, "nothing that is told or sought otherwise", f"leaving fixed {name} out")
     if friction_ratio is not None:
         if not 0 < friction_ratio <= 1:
             raise InputError("friction_ratio", friction_ratio, "above 0 and at most 1", "0.53")
         base = with_values(base, {"friction_ratio": friction_ratio})
         fixed = [*fixed, "friction_ratio"]
-    parameters = [p for p in ALWAYS if p.name not in fixed] + [p for p in ON_REQUEST if p.name in free]
+    if base.sheet.bending_damping == 0:  # no factor changes it
+        fixed = [*fixed, BENDING_DAMPING.name]
+    parameters = [p for p in ALL if p.name not in fixed and (p not in ON_REQUEST or p.name in free)]
     if not parameters:
         raise InputError("fixed", ", ".join(fixed), "fewer than all parameters", "friction_ratio")
-    return Unknowns(base, tuple(parameters))
+    return Unknowns(base, tuple(_prior(p, base, (measured or {}).get(p.name)) for p in parameters))
+
+
+def _check_names(field: str, names: Iterable[str], allowed: Sequence[str]) -> None:
+    for name in names:
+        if name not in allowed:
+            raise InputError(field, name, f"one of {', '.join(allowed)}", allowed[0])
+
+
+def _prior(parameter: Unknown, base: Scenario, measured: tuple[float, float] | None) -> Unknown:
+    """Parameter with the prior that fits what is told of it."""
+    if measured is not None:
+        value, sd = measured
+        if not sd > 0 or (parameter.logarithmic and not value > 0):
+            raise InputError(f"measured.{parameter.name}", f"{value:g} ± {sd:g}", "a spread above 0",
+                             f'fixed="{parameter.name}"')  # fmt: skip
+        return parameter.measured(value, sd)
+    if parameter is PLATE_HEIGHT:
+        height = base.motion.height
+        return replace(parameter, low=height + parameter.low, high=height + parameter.high)
+    return parameter

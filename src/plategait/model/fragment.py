@@ -37,12 +37,15 @@ class Fragment:
         Of the intervals.
     source : str
         Where it comes from, in a line.
+    remarks : tuple of str
+        What to know beside the numbers, a line each: comments of the file.
     """
 
     parameters: Mapping[str, Measured]
     correlation: NDArray[np.float64] | None = None
     confidence: float = CONFIDENCE
     source: str = ""
+    remarks: tuple[str, ...] = ()
 
     def apply(self, scenario: Scenario) -> Scenario:
         """Scenario with the measured values."""
@@ -81,6 +84,7 @@ def fragment_text(fragment: Fragment) -> str:
     """Write a fragment as commented TOML that `read_fragment` reads back."""
     lines = [f"# {fragment.source}"] if fragment.source else []
     lines += ["# Lay it over a scenario: plategait simulate cheese --with THIS.toml"]
+    lines += [f"# {remark}" for remark in fragment.remarks]
     for section in dict.fromkeys(name.partition(".")[0] for name in fragment.parameters):
         lines += ["", f"[{section}]"]
         for name, m in fragment.parameters.items():
