@@ -63,7 +63,8 @@ def posterior(data: Observations, noise=None, run_offs=None) -> Posterior:
     full = full[generator.choice(len(u), 500, p=weight / weight.sum())]
     parameters, sampled = likelihood.split(full)
     runs = EngineRuns(u[:1], CONDITIONS, rates(u[:1]), np.zeros((1, 12), bool))
-    return Posterior(unknowns(CHEESE, fixed=("natural_frequency",)), data, parameters, sampled, likelihood, runs, full)
+    sought = unknowns(CHEESE, fixed=("natural_frequency", "bending_damping", "plate_height"))
+    return Posterior(sought, data, parameters, sampled, likelihood, runs, full)
 
 
 def noisy(seed: int, noise=0.05) -> np.ndarray:
