@@ -9,7 +9,7 @@ from plategait import InputError, published
 from plategait.campaign.plan import Sweep
 from plategait.campaign.run import sweep
 from plategait.curve.curve import Curve
-from plategait.study import polish, search, source
+from plategait.study import findings, polish, search, source
 from plategait.study.aims import AT_REFERENCE, HAS_FIT, KIND, OF_CURVE, PEAKS, residuals
 from plategait.study.evaluation import (
     FITS_FROM,
@@ -20,6 +20,7 @@ from plategait.study.evaluation import (
     printed_values,
     short_of_running,
 )
+from plategait.study.findings import Findings
 from plategait.study.inference import backward, smallest, step_with
 from plategait.study.surrogate import learn
 from plategait.study.unknowns import LAWS, NAMES, UNKNOWNS, Choice, choice_at, deviations_of, parameters
@@ -28,6 +29,7 @@ CURVES = published.curves()
 PUBLISHED = np.array([[c.f0_hz, c.b_over_f0, PEAKS[c.angle_deg, c.omega_pi]] for c in CURVES])
 
 IN_ORDER = np.zeros((1, 5))
+AS_PUBLISHED = Findings(np.zeros(8), np.array([40.0, 60.0, 30.0]), 0.0, 0.0)
 
 
 def test_a_choice_and_its_deviations_are_each_other_s_inverse():
@@ -150,6 +152,7 @@ def test_the_posterior_tells_what_the_toy_leaves_open(found, monkeypatch):
 def test_the_whole_study_says_what_holds_out_of_sample(tmp_path, monkeypatch):
     for module in (search, polish, source):
         monkeypatch.setattr(module, "evaluate", toy)
+    monkeypatch.setattr(source, "find", lambda choices, *_, **__: (AS_PUBLISHED,) * len(choices))
     monkeypatch.setattr(search, "STEPS", 60)
     monkeypatch.setattr(search, "BURNT", 30)
     study = source.study_source(tmp_path, seeds=2, first=64, generations=4)
@@ -222,3 +225,33 @@ def test_a_store_tells_each_start_apart(tmp_path):
     apart = np.stack([opened.from_start(k).rate for k in range(3)], axis=1)
     assert len(set(apart[1])) == 3
     np.testing.assert_allclose(apart.mean(axis=1), opened.outcomes.rate, rtol=1e-12)  # round-off
+
+
+def test_findings_as_published_cost_nothing_and_missing_ones_three_deviations_each():
+    assert AS_PUBLISHED.loss() == 0
+    missing = Findings(np.full(8, math.nan), np.full(3, math.nan), math.nan, math.nan)
+    assert missing.loss() == 9 * (8 + 3 + 1 + 1)
+    assert missing.summary()["best_friction_deg"] == {"sliding": None, "walking": None, "running": None}
+
+
+def test_findings_are_read_off_curves_of_a_known_law():
+    """Rates that peak at 8e4 deg/s² and α = 40 deg and go as B_p^0.5, with b/f0 a fifth larger at the most damping."""
+
+    def made(line: findings._Line) -> Curve:
+        case, f = line.case, np.array(line.frequencies)
+        acceleration = case.angle_deg * (math.tau * f) ** 2 / 1e4
+        width = 4 * findings.damping_factor(case.variant) ** (math.log(1.2) / math.log(8))
+        over_frequency, over_acceleration = 1 / (1 + ((f - 24) / width) ** 2), 1 / (1 + (acceleration / 8 - 1) ** 2)
+        rate = 400 * math.exp(-(((case.alpha_deg - 40) / 30) ** 2)) * (line.stroke / findings.STROKE) ** 0.5
+        rate = rate * (over_frequency if case.variant else over_acceleration)
+        gait = np.select([acceleration < 6, acceleration < 8], ["sliding", "walking"], "running")
+        return Curve(name="", frequency_hz=f, spin_rate_deg_s=rate, spin_rate_sd_deg_s=np.ones(len(f)),
+                     gait=tuple(gait.tolist()), failure=("",) * len(f))  # fmt: skip
+
+    found = findings._findings({line: made(line) for line in findings._lines()})
+    np.testing.assert_array_equal(found.acceleration_gap, 0)
+    # The parabola through three of eleven angles is not the Gaussian.
+    np.testing.assert_allclose(found.friction_deg, 40, atol=1.0)
+    assert found.stroke_exponent == pytest.approx(0.5, rel=1e-9)
+    # Those of η = 1 are the reference curves, of another width: only the ends count.
+    assert found.damping_change == pytest.approx(0.2, rel=1e-3)

@@ -44,7 +44,7 @@ def source(
     from plategait.study.source import study_source
     from plategait.thesis.report import prepare_folder
 
-    prepare_folder(out)
+    prepare_folder(out, "source")
     with report.progress_bar("searching") as progress:
         found = study_source(
             out / "stores", seeds=seeds, first=evaluations, generations=generations, dask=dask, progress=progress
@@ -71,3 +71,12 @@ def _print(found: SourceStudy) -> None:
     ]  # fmt: skip
     columns = ["", "loss", "median |Δf0| %", "largest %", "median |Δ(b/f0)| %", "deg/s at 12 Hz", "no fit"]
     report.print_table("choices, simulated with four starts", columns, rows)
+    rows = [
+        [t.name, f"{t.findings.loss():.0f}", f"{f['objects_with_one_best_acceleration']} of 8",
+         ", ".join("none" if a is None else f"{a:.0f}" for a in f["best_friction_deg"].values()),
+         f"{100 * f['change_of_b_over_f0_with_damping']:+.1f}", f"{f['stroke_exponent']:.2f}"]
+        for t in found.told for f in [t.findings.summary()]
+    ]  # fmt: skip
+    columns = ["", "loss", "one best acceleration", "best α sliding, walking, running", "Δ(b/f0) with damping %",
+               "power of B_p"]  # fmt: skip
+    report.print_table("what the search does not look at", columns, rows)

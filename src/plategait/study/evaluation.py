@@ -153,10 +153,10 @@ def _fits(points: Ensemble, n_choices: int) -> tuple[Array, Array, Array]:
     for i in range(n_choices):
         for j, published_curve in enumerate(curves):
             frequencies = FREQUENCIES[published_curve.angle_deg]
-            curve = _curve(points, published_curve, slice(first, first + len(frequencies)))
+            curve = curve_of(points, slice(first, first + len(frequencies)), frequencies, published_curve.table)
             first += len(frequencies)
             for k, start in enumerate(FITS_FROM):
-                fit = _fit(curve, start[published_curve.angle_deg])
+                fit = fit_from(curve, start[published_curve.angle_deg])
                 if fit is not None:
                     fits[i, k, j] = [getattr(fit, name) for name in OUTPUTS]
             if published_curve.angle_deg == 12 and is_reference(published_curve):
@@ -196,10 +196,11 @@ def is_reference(curve: PublishedCurve) -> bool:
     return curve.alpha_deg == published.REFERENCE_ALPHA
 
 
-def _curve(points: Ensemble, curve: PublishedCurve, part: slice) -> Curve:
+def curve_of(points: Ensemble, part: slice, frequencies: Sequence[float], name: str = "") -> Curve:
+    """Part of a store's points as a curve."""
     return Curve(
-        name=curve.table,
-        frequency_hz=np.array(FREQUENCIES[curve.angle_deg]),
+        name=name,
+        frequency_hz=np.array(frequencies),
         spin_rate_deg_s=np.degrees(points.rate[part]),
         spin_rate_sd_deg_s=np.degrees(points.spread[part]),
         gait=points.gait[part],
@@ -209,7 +210,8 @@ def _curve(points: Ensemble, curve: PublishedCurve, part: slice) -> Curve:
     )
 
 
-def _fit(curve: Curve, start: float) -> Shape | None:
+def fit_from(curve: Curve, start: float) -> Shape | None:
+    """Lorentz fit of a curve from a frequency (Hz) up to its run-off."""
     used = curve.fitted & (curve.frequency_hz >= start)
     return fit_shape(curve.frequency_hz[used], curve.spin_rate_deg_s[used], ends_in_failure=curve.ends_in_failure)
 

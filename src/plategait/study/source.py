@@ -15,6 +15,7 @@ from plategait.errors import InputError
 from plategait.study.aims import KIND, residuals_of
 from plategait.study.defaults import FIRST, GENERATIONS, SEEDS
 from plategait.study.evaluation import FITS_FROM, Evaluation, evaluate, joined
+from plategait.study.findings import Findings, find
 from plategait.study.inference import HALVES, OutOfSample, Step, deviations_of_curves, step_with
 from plategait.study.polish import ROUNDS, polish, refined
 from plategait.study.progress import Progress, part
@@ -48,6 +49,8 @@ class Told:
         Standard deviation of the loss of one start, over the starts.
     by_kind : mapping of str to float
         Share of each kind of aim in the loss, where the fit begins first.
+    findings : Findings
+        What the search does not look at: of all starts together.
     """
 
     name: str
@@ -58,6 +61,7 @@ class Told:
     loss: Array
     noise: float
     by_kind: Mapping[str, float]
+    findings: Findings
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,7 +125,8 @@ class SourceStudy:
             ],
             "told": [
                 {"name": t.name, "values": dict(t.choice.values), "loss": t.loss.tolist(), "noise": t.noise,
-                 "by_kind": dict(t.by_kind), "rate_at_12_hz_deg_s": t.at_12, **_deviations(t)}
+                 "by_kind": dict(t.by_kind), "rate_at_12_hz_deg_s": t.at_12, "findings": t.findings.summary(),
+                 **_deviations(t)}
                 for t in self.told
             ],
             "out_of_sample": [vars(o) for o in self.out_of_sample],
@@ -170,7 +175,7 @@ def study_source(
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     within = _parts(
-        progress, seeds * (first + generations * POPULATION), 4 * ROUNDS * POPULATION, 4 * POPULATION, 8 * (1 + STARTS)
+        progress, seeds * (first + generations * POPULATION), 4 * ROUNDS * POPULATION, 4 * POPULATION, 16 * (1 + STARTS)
     )
     searches: list[Learnt] = []
     for seed in range(seeds):
@@ -220,12 +225,15 @@ def tell(
     dask: object = None,
     progress: Progress | None = None,
 ) -> tuple[Told, ...]:
-    """Simulate choices from `STARTS` starts that the search has not seen."""
-    _, *made = evaluate(list(choices.values()), folder, "told", starts=STARTS, seed=1, dask=dask, progress=progress)
-    return tuple(_told(name, made, i) for i, name in enumerate(choices))
+    """Simulate choices from `STARTS` starts that the search has not seen, and what it does not look at."""
+    within = _parts(progress, 1, 1)
+    each = list(choices.values())
+    _, *made = evaluate(each, folder, "told", starts=STARTS, seed=1, dask=dask, progress=within[0])
+    found = find(each, folder, "found", starts=STARTS - 1, seed=1, dask=dask, progress=within[1])
+    return tuple(_told(name, made, i, findings) for i, (name, findings) in enumerate(zip(choices, found, strict=True)))
 
 
-def _told(name: str, made: Sequence[Evaluation], i: int) -> Told:
+def _told(name: str, made: Sequence[Evaluation], i: int, findings: Findings) -> Told:
     starts = joined(*(m.only(i) for m in made))
     fits = starts.fits
     aims = [residuals_of(starts, k) for k in range(len(FITS_FROM))]
@@ -238,5 +246,5 @@ def _told(name: str, made: Sequence[Evaluation], i: int) -> Told:
     return Told(
         name, made[0].choices[i], middle, float(np.isnan(fits[:, 0, :, 0]).sum(axis=1).mean()),
         float(np.mean(starts.at_12)), loss.mean(axis=1), float(loss.mean(axis=0).std(ddof=1)),
-        {str(kind): float(squares[kind == KIND].sum()) for kind in dict.fromkeys(KIND)},
+        {str(kind): float(squares[kind == KIND].sum()) for kind in dict.fromkeys(KIND)}, findings,
     )  # fmt: skip

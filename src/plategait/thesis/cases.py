@@ -119,16 +119,24 @@ VARIANTS = {
 """Departures from the presets that the modelling-choices page weighs."""
 
 
+_DAMPING = "damping x "
+
+
 def damping_variant(factor: float) -> str:
     """Name of the variant whose c_b and c_c are multiplied by `factor`; none for 1."""
-    return "" if factor == 1 else f"damping x {factor:g}"
+    return "" if factor == 1 else f"{_DAMPING}{factor:g}"
+
+
+def damping_factor(variant: str) -> float:
+    """Factor on c_b and c_c of a variant."""
+    return float(variant.removeprefix(_DAMPING)) if variant.startswith(_DAMPING) else 1.0
 
 
 def _departures(variant: str, scenario: Scenario) -> dict[str, Any]:
     """Changes to a scenario that make one modelling choice differently."""
     sheet = scenario.sheet
-    if variant.startswith("damping x "):
-        factor = float(variant.removeprefix("damping x "))
+    if variant.startswith(_DAMPING):
+        factor = damping_factor(variant)
         return {
             "sheet.bending_damping": factor * sheet.bending_damping,
             "sheet.axial_damping": factor * sheet.axial_damping,

@@ -35,7 +35,7 @@ img { max-width: 100%; } .verdict { font-weight: 600; } .yes { color: #00704f; }
 """
 
 
-def prepare_folder(folder: Path | str) -> Path:
+def prepare_folder(folder: Path | str, example: str = "thesis") -> Path:
     """Make the folder that the report goes to, before any work is done.
 
     Raises
@@ -47,9 +47,9 @@ def prepare_folder(folder: Path | str) -> Path:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except (OSError, ValueError):
-        raise InputError("--out", str(folder), "a folder that can be made", "thesis") from None
+        raise InputError("--out", str(folder), "a folder that can be made", example) from None
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise InputError("--out", str(folder), "a folder that can be written to", "thesis")
+        raise InputError("--out", str(folder), "a folder that can be written to", example)
     return folder
 
 

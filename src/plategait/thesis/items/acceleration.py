@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from plategait import published
+from plategait.arrays import Array
+from plategait.curve.curve import Curve
 from plategait.thesis import draw
 from plategait.thesis.cases import GAIT_ANGLES, STIFFNESSES, Case
 from plategait.thesis.item import Cell, Check, Comparison, Item, Spec, Table
@@ -30,13 +33,28 @@ def stiffness_cases() -> list[Case]:
     return [Case(angle, omega) for omega in STIFFNESSES for angle in GAIT_ANGLES]
 
 
-def flat_top(runs: CaseRuns) -> tuple[float, float]:
-    """Accelerations between which the rate is within a tenth of its best, 10⁴ deg/s²; NaN where nothing stays."""
-    if runs.best < 0:
+def flat_top(curve: Curve, acceleration: Array) -> tuple[float, float]:
+    """Accelerations between which the rate is within a tenth of its best, in their unit; NaN where nothing stays."""
+    rate = np.where(curve.fitted, curve.spin_rate_deg_s, -math.inf)
+    if not np.isfinite(rate).any():
         return math.nan, math.nan
-    rate = np.where(runs.curve.fitted, runs.curve.spin_rate_deg_s, -math.inf)
-    top = runs.acceleration[rate >= _FLAT * rate.max()]
+    top = acceleration[rate >= _FLAT * rate.max()]
     return float(top.min()), float(top.max())
+
+
+def best_at_all(omega_pi: float, tops: Iterable[tuple[float, tuple[float, float]]]) -> tuple[float, float]:
+    """Accelerations best at every amplitude: from the first to the second, none where that is less.
+
+    Parameters
+    ----------
+    omega_pi : float
+        ω_n of the object, π rad/s: it says which amplitudes the source leaves out.
+    tops : iterable of (amplitude in deg, flat top)
+    """
+    counted = [top for angle, top in tops if math.isfinite(top[0]) and omega_pi not in _EXCEPTED.get(int(angle), ())]
+    if not counted:
+        return math.nan, math.nan
+    return max(low for low, _ in counted), min(high for _, high in counted)
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,12 +73,8 @@ class _Panel:
     @property
     def optimum(self) -> tuple[float, float]:
         """Accelerations best at every amplitude, 10⁴ deg/s²: from the first to the second, none where that is less."""
-        tops = [
-            flat_top(runs)
-            for runs in self.runs
-            if runs.best >= 0 and self.omega_pi not in _EXCEPTED.get(int(runs.case.angle_deg), ())
-        ]
-        return max(low for low, _ in tops), min(high for _, high in tops)
+        tops = ((runs.case.angle_deg, flat_top(runs.curve, runs.acceleration)) for runs in self.runs)
+        return best_at_all(self.omega_pi, tops)
 
     @property
     def fastest_gait(self) -> str:
@@ -121,7 +135,7 @@ def _acceleration_rows(panels: list[_Panel]) -> tuple[tuple[Cell, ...], ...]:
             panel.omega_pi,
             angle,
             _best_acceleration(runs),
-            *flat_top(runs),
+            *flat_top(runs.curve, runs.acceleration),
             runs.best_rate,
             runs.best_sd,
             runs.curve.gait[runs.best] if runs.best >= 0 else "",

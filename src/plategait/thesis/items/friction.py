@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from plategait import published
 from plategait.arrays import Array
+from plategait.curve.curve import Curve
 from plategait.simulation.observables import GAITS
 from plategait.thesis import draw
 from plategait.thesis.cases import FRICTION_ANGLES, REFERENCE_ALPHA, Case
@@ -41,36 +43,32 @@ def best_friction(alphas: NDArray[np.float64], rates: NDArray[np.float64]) -> fl
 
 
 @dataclass(frozen=True, eq=False)
-class _FrictionMap:
+class FrictionMap:
     """Spin rate over acceleration and friction angle.
 
     Attributes
     ----------
-    runs : tuple of CaseRuns
-        By friction angle, all at the same frequencies.
+    alphas : (a,) array
+        Friction angles, deg, that of the reference sheet among them.
+    acceleration : (x,) array
+        A_p ω_p², 10⁴ deg/s².
+    curves : tuple of Curve
+        Over the acceleration, by friction angle.
     """
 
-    runs: tuple[CaseRuns, ...]
-
-    @cached_property
-    def alphas(self) -> Array:
-        """Friction angles (a,), deg."""
-        return np.array([r.case.alpha_deg for r in self.runs])
-
-    @property
-    def acceleration(self) -> Array:
-        """A_p ω_p² (x,), 10⁴ deg/s²."""
-        return self.runs[0].acceleration
+    alphas: Array
+    acceleration: Array
+    curves: tuple[Curve, ...]
 
     @cached_property
     def rate(self) -> Array:
         """Spin rates (a, x), deg/s; NaN from the run-off on."""
-        return np.array([np.where(r.curve.fitted, r.curve.spin_rate_deg_s, np.nan) for r in self.runs])
+        return np.array([np.where(c.fitted, c.spin_rate_deg_s, np.nan) for c in self.curves])
 
     @cached_property
     def gait(self) -> NDArray[np.str_]:
         """Gaits (a, x)."""
-        return np.array([r.curve.gait for r in self.runs])
+        return np.array([c.gait for c in self.curves])
 
     @cached_property
     def best(self) -> Array:
@@ -87,8 +85,10 @@ class _FrictionMap:
         return self.best[at_gait & (np.nan_to_num(self.rate[reference]) > 20)]
 
 
-def _friction_map(results: Results) -> _FrictionMap:
-    return _FrictionMap(tuple(results[case] for case in friction_cases()))
+def _friction_map(results: Results) -> FrictionMap:
+    runs = tuple(results[case] for case in friction_cases())
+    alphas = np.array([r.case.alpha_deg for r in runs])
+    return FrictionMap(alphas, runs[0].acceleration, tuple(r.curve for r in runs))
 
 
 def fig_4_8(spec: Spec, results: Results) -> Item:
@@ -96,7 +96,7 @@ def fig_4_8(spec: Spec, results: Results) -> Item:
     friction = _friction_map(results)
     columns = ("α (deg)", "A_p ω_p² (10⁴ deg/s²)", "ω_B (deg/s)", "gait")
     return spec.item(
-        figures=[(spec.name, _draw_map(friction))],
+        figures=[(spec.name, _draw_map(friction, [results[case] for case in friction_cases()]))],
         tables=[Table(spec.name, columns, _map_rows(friction))],
         comparisons=gait_comparisons(results),
         checks=[_judge_order(friction)],
@@ -114,7 +114,7 @@ def fig_4_8(spec: Spec, results: Results) -> Item:
     )
 
 
-def _map_rows(friction: _FrictionMap) -> tuple[tuple[Cell, ...], ...]:
+def _map_rows(friction: FrictionMap) -> tuple[tuple[Cell, ...], ...]:
     return tuple(
         (float(alpha), float(x), float(rate), str(gait))
         for alpha, rates, gaits in zip(friction.alphas, friction.rate, friction.gait, strict=True)
@@ -122,25 +122,24 @@ def _map_rows(friction: _FrictionMap) -> tuple[tuple[Cell, ...], ...]:
     )
 
 
-def _draw_map(friction: _FrictionMap) -> Figure:
+def _draw_map(friction: FrictionMap, runs: Sequence[CaseRuns]) -> Figure:
     figure, (left, right) = draw.panels(2)
-    _draw_curves(left, friction)
+    _draw_curves(left, friction, runs)
     _draw_contours(right, friction)
     return figure
 
 
-def _draw_curves(axes: Axes, friction: _FrictionMap) -> None:
+def _draw_curves(axes: Axes, friction: FrictionMap, runs: Sequence[CaseRuns]) -> None:
     from matplotlib import colormaps
 
     shade = colormaps["viridis"]
-    for i, runs in enumerate(friction.runs):
-        colour = shade(i / len(friction.runs))
-        draw.curve(axes, runs, friction.acceleration, colour, f"{runs.case.alpha_deg:g}")
+    for i, of_angle in enumerate(runs):
+        draw.curve(axes, of_angle, friction.acceleration, shade(i / len(runs)), f"{of_angle.case.alpha_deg:g}")
     axes.legend(frameon=False, fontsize=6.5, title="α (deg)", title_fontsize=7, ncols=2)
     draw.plain(axes, draw.ACCELERATION, draw.RATE, "(a)")
 
 
-def _draw_contours(axes: Axes, friction: _FrictionMap) -> None:
+def _draw_contours(axes: Axes, friction: FrictionMap) -> None:
     share = friction.rate / np.nanmax(friction.rate)
     axes.clabel(
         axes.contour(friction.acceleration, friction.alphas, share, levels=np.arange(0.1, 1.0, 0.1)), fontsize=7
@@ -167,7 +166,7 @@ def _compare(gait: str, best: Array) -> Comparison:
     )
 
 
-def _judge_order(friction: _FrictionMap) -> Check:
+def _judge_order(friction: FrictionMap) -> Check:
     best, top = friction.best, int(np.nanargmax(friction.best))
     first, highest, last = float(best[0]), float(best[top]), float(np.nanmedian(best[top + 1 :]))
     return Check(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -150,6 +151,12 @@ def damping_cases() -> list[Case]:
     return [case.but(damping_variant(eta)) for case in reference_cases() if case.angle_deg == 3 for eta in DAMPINGS]
 
 
+def damping_change(eta: Array, ratio: Array) -> float:
+    """Relative change of the mean b/f0 from the least to the most damping; NaN where either has none."""
+    low, high = (ratio[(eta == x) & np.isfinite(ratio)] for x in (eta.min(), eta.max()))
+    return float(high.mean() / low.mean() - 1) if len(low) and len(high) else math.nan
+
+
 @dataclass(frozen=True, eq=False)
 class _Damped:
     """Runs at every damping, and the factor η of each."""
@@ -170,8 +177,7 @@ class _Damped:
     @property
     def change(self) -> float:
         """Relative change of the mean b/f0 from the least to the most damping."""
-        low, high = (float(np.nanmean(self.ratio[self.eta == x])) for x in (min(DAMPINGS), max(DAMPINGS)))
-        return high / low - 1
+        return damping_change(self.eta, self.ratio)
 
 
 def _damped(results: Results) -> _Damped:
