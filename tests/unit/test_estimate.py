@@ -30,11 +30,13 @@ CHEESE = measured_as(preset("cheese").scenario)
 MOTION = CHEESE.motion
 
 
-def curve(frequency, rate, failure=None, sd=None, angle=None) -> Curve:
+def curve(frequency, rate, failure=None, sd=None, angle=None, values=None, value_sds=None) -> Curve:
     n = len(frequency)
+    of = {name: {k: np.array(x, float) for k, x in (given or {}).items()}
+          for name, given in (("values", values), ("value_sds", value_sds))}  # fmt: skip
     return Curve("c", np.array(frequency, float), np.array(rate, float),
                  np.full(n, math.nan) if sd is None else np.array(sd, float), ("",) * n,
-                 tuple(failure or ("",) * n), angle_deg=None if angle is None else np.array(angle, float))  # fmt: skip
+                 tuple(failure or ("",) * n), angle_deg=None if angle is None else np.array(angle, float), **of)  # fmt: skip
 
 
 # Parameters
@@ -177,6 +179,22 @@ def test_amplitudes_may_stand_in_the_file_or_come_with_each_curve():
                            [MOTION, MOTION.replace(angle="12 deg")])  # fmt: skip
     assert [c.frequency for c in both.conditions] == [c.frequency for c in apart.conditions] == [14, 18, 12]
     assert len(both.brackets()) == 2
+
+
+def test_readings_count_where_they_and_their_spread_are_known():
+    """Not where the object failed, nor beyond; a point may have a reading and no rate."""
+    read = {"bending_amplitude": [0.01, 0.02, 0.03, 0.04, 0.05], "drift": [1e-3] * 5}
+    known = {"bending_amplitude": [1e-3, math.nan, 3e-3, 4e-3, 5e-3]}
+    data = observe_curves([curve([14, 18, 22, 26, 30], [70, 200, 450, math.nan, math.nan],
+                                 ["", "", "", "", "slipped"], values=read, value_sds=known)], [MOTION])  # fmt: skip
+    (bending,) = data.readings
+    assert [data.conditions[i].frequency for i in bending.which] == [14, 22, 26]
+    assert bending.value.tolist() == [0.01, 0.03, 0.04]
+    assert any("drift_mm" in note and "drift_sd_mm" in note for note in data.notes)
+    assert bending.relative == 0.1
+    compared = data.compared
+    assert compared.quantity.tolist() == [0, 0, 0, 1, 1, 1]
+    assert [data.conditions[i].frequency for i in compared.condition] == [14, 18, 22, 14, 22, 26]
 
 
 @pytest.mark.parametrize("rates", [[70, 200, math.nan], [math.nan] * 3])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -21,6 +22,7 @@ from plategait.estimate.likelihood import OUTLIER_SHARE, OUTLIER_SPREAD, Likelih
 from plategait.estimate.observations import Condition, Observations
 from plategait.estimate.particles import Particles, explore, folded, stratified
 from plategait.estimate.posterior import Effort, estimate_posterior
+from plategait.estimate.readings import Readings
 from plategait.estimate.result import Estimate, correlated
 from plategait.estimate.runs import EngineRuns, run_engine
 from plategait.estimate.unknowns import FRICTION_ANGLE, FRICTION_RATIO, unknowns
@@ -42,7 +44,7 @@ def linear_rates(u) -> np.ndarray:
     return 300 + np.asarray(u) @ SLOPES.T
 
 
-def linear_engine(unknowns, u, conditions, *, seed=0, progress=None) -> EngineRuns:
+def linear_engine(unknowns, u, conditions, *, observables=(), seed=0, progress=None) -> EngineRuns:
     where = [round(c.frequency - 14) % len(CONDITIONS) for c in conditions]
     return EngineRuns(u, tuple(conditions), linear_rates(u)[:, where], np.zeros((len(u), len(conditions)), bool))
 
@@ -187,6 +189,50 @@ def test_parameters_that_move_the_rates_alike_are_correlated(monkeypatch):
     assert r < -0.9
 
 
+BENDS = np.random.default_rng(8).uniform(-0.1, 0.1, (len(CONDITIONS), 2))
+
+
+def bending_engine(unknowns, u, conditions, *, observables=(), seed=0, progress=None) -> EngineRuns:
+    """Rates as those of the linear engine, and bending angles that are linear too."""
+    assert list(observables) == ["bending_amplitude"]
+    runs = linear_engine(unknowns, u, conditions)
+    return EngineRuns(u, runs.conditions, runs.rates, runs.failed, {"bending_amplitude": 0.2 + np.asarray(u) @ BENDS.T})
+
+
+def test_readings_count_as_much_as_their_spread_says(monkeypatch):
+    """The posterior of rates and readings is that of least squares over both, each by its own spread."""
+    generator, n, sd = np.random.default_rng(9), len(CONDITIONS), 5e-4
+    rate = linear_rates(TRUTH[None])[0] + generator.normal(0, SD, n)
+    bend = 0.2 + BENDS @ TRUTH + generator.normal(0, sd, n)
+    read = Readings("bending_amplitude", np.arange(n), bend, np.full(n, sd))
+    monkeypatch.setattr(posterior_module, "run_engine", bending_engine)
+    data = replace(observations(rate), readings=(read,))
+    posterior = estimate_posterior(data, two_unknowns(), seed=1, effort=Effort(walkers=48))
+    rows = np.concatenate([SLOPES / SD, BENDS / sd])
+    covariance = np.linalg.inv(rows.T @ rows)
+    mean = covariance @ rows.T @ np.concatenate([(rate - 300) / SD, (bend - 0.2) / sd])
+    wanted = np.sqrt(np.diag(covariance))
+    # As for the rates alone above; these readings are sharper than the rates.
+    assert wanted.max() < 0.7 * np.sqrt(np.diag(SD**2 * np.linalg.inv(SLOPES.T @ SLOPES))).max()
+    np.testing.assert_allclose(posterior.u.mean(axis=0), mean, atol=0.3 * wanted.max())
+    np.testing.assert_allclose(posterior.u.std(axis=0), wanted, rtol=0.25)
+    goodness = goodness_of_fit(posterior)
+    assert goodness.explained
+    assert goodness.inliers == 2 * n
+
+
+def test_a_reading_that_cannot_be_is_named_with_what_it_is_of(monkeypatch):
+    n, sd = len(CONDITIONS), 5e-4
+    bend = 0.2 + BENDS @ TRUTH
+    bend[3] += 40 * sd
+    read = Readings("bending_amplitude", np.arange(n), bend, np.full(n, sd))
+    monkeypatch.setattr(posterior_module, "run_engine", bending_engine)
+    data = replace(observations(linear_rates(TRUTH[None])[0]), readings=(read,))
+    goodness = goodness_of_fit(estimate_posterior(data, two_unknowns(), seed=1, effort=Effort(walkers=48)))
+    assert goodness.outlying_readings == ("bending amplitude at 17 Hz",)
+    assert not goodness.outliers  # the rate there is sound
+
+
 # Engine
 
 
@@ -194,12 +240,13 @@ def test_the_engine_runs_every_parameter_set_under_every_condition():
     short = unknowns(CHEESE.replace(duration=0.5, transient=0.2), fixed=("bending_damping", "plate_height"))
     u = np.array([[0.3, 0.5, 0.4], [0.6, 0.4, 0.5]])
     conditions = (Condition(0.05, 0.003, 12.0), Condition(0.05, 0.003, 16.0))
-    runs = run_engine(short, u, conditions)
+    runs = run_engine(short, u, conditions, observables=["rim_lift"])
     for i, values in enumerate(short.values(u)):
         for j, condition in enumerate(conditions):
             scenario = short.scenario(values)
             alone = simulate(scenario.replace(motion=condition.motion(scenario.motion)))
             assert runs.rates[i, j] == math.degrees(alone.spin_rate)
+            assert runs.values["rim_lift"][i, j] == alone.value("rim_lift")
 
 
 def test_rates_beyond_the_first_failure_of_an_amplitude_do_not_count(monkeypatch):
@@ -234,8 +281,8 @@ def forecast(slopes, sd, n=4000) -> Forecast:
     """Candidates whose rates are linear in one parameter of standard deviation 1, and at which nothing runs off."""
     values = norm.ppf((np.arange(n) + 0.5) / n)[:, None]
     conditions = tuple(Condition(0.05, 0.003, 10.0 + i) for i in range(len(slopes)))
-    return Forecast(conditions, values, values * np.array(slopes), np.full((n, len(slopes)), sd),
-                    np.ones((n, len(slopes))))  # fmt: skip
+    outcome = (values * np.array(slopes))[:, :, None]
+    return Forecast(conditions, values, outcome, np.full_like(outcome, sd), np.ones((n, len(slopes))))
 
 
 def test_the_variance_left_after_a_measurement_is_that_of_a_normal():
@@ -247,10 +294,20 @@ def test_the_variance_left_after_a_measurement_is_that_of_a_normal():
     assert np.argmin(left) == 2  # the steepest tells most
 
 
+def test_a_reading_beside_the_rate_tells_as_a_second_rate_would():
+    toy = forecast([0.5, 2.0], 1.0)
+    both = Forecast(
+        toy.conditions[:1], toy.values, toy.outcome.transpose(0, 2, 1), np.ones((4000, 1, 2)), np.ones((4000, 1))
+    )
+    prior = both.variances(both.even)[0]
+    # One measurement that reads two lines of slopes k at noise 1: 1/(1/s² + Σk²).
+    assert both.expected_variances(both.even)[0, 0] == pytest.approx(1 / (1 / prior + 0.5**2 + 2.0**2), rel=1e-9)
+
+
 def test_a_run_off_tells_without_a_rate():
     """Whether the object stays halves the range: a half normal has the variance 1 - 2/π."""
     toy = forecast([0.0], 1.0)
-    split = Forecast(toy.conditions, toy.values, toy.rates, toy.sd, (toy.values > 0).astype(float))
+    split = Forecast(toy.conditions, toy.values, toy.outcome, toy.sd, (toy.values > 0).astype(float))
     assert split.expected_variances(split.even)[0, 0] == pytest.approx(1 - 2 / math.pi, abs=2e-3)
 
 

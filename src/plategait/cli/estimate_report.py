@@ -36,14 +36,16 @@ def print_estimate(result: Estimate, plan: Plan | None) -> None:
 
     shown = (*result.marginals, *result.stiffness)
     rows = [[LABELS[m.parameter.name], m.text, m.interval_text] for m in shown]
-    title = f"{len(result.posterior.data.which)} points, {result.posterior.runs.rates.size} runs of the engine"
+    read = "".join(f", {len(r.value)} of {r.observable.label}" for r in result.posterior.data.readings)
+    title = f"{len(result.posterior.data.which)} points{read}, {result.posterior.runs.rates.size} runs of the engine"
     report.print_table(title, ["", "± one sd", f"{100 * result.confidence:g} % interval"], rows)
     for a, b, r in correlated(result):
         print(f"{LABELS[a]} and {LABELS[b]} are correlated: {r:+.2f}")
     report.print_table("assumed of the set-up", ["", "taken as"], [[a.label, a.text] for a in result.assumed])
     report.print_notes(result.posterior.data.notes)
-    if result.goodness.outliers:
-        print(f"probably outliers, left out in effect: {', '.join(f'{f:g}' for f in result.goodness.outliers)} Hz")
+    outliers = [f"{f:g} Hz" for f in result.goodness.outliers] + list(result.goodness.outlying_readings)
+    if outliers:
+        print(f"probably outliers, left out in effect: {', '.join(outliers)}")
     for complaint in result.goodness.complaints:
         print(f"warning: not explained by any parameters: {complaint}")
     if plan is not None:

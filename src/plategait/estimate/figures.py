@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from plategait.arrays import Array
 from plategait.estimate.prediction import Prediction
+from plategait.estimate.readings import Readings
 from plategait.estimate.result import Estimate
 from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes
 from plategait.simulation.ensemble import fails
@@ -27,18 +28,24 @@ AXIS_LABELS = {
 
 
 def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figure:
-    """Predicted spin curves over the data, one panel an amplitude, and below them the posterior of each parameter."""
+    """Predicted spin curves over the data, one panel an amplitude, and below them the posterior of each parameter.
+
+    Between them a row for each of the readings, if there are any.
+    """
     d = len(estimate.marginals)
+    readings = estimate.posterior.data.readings
     columns = max(len(predictions), d, 2)
-    figure = Figure(figsize=(3.3 * columns, 6.6), layout="constrained")
-    grid = figure.add_gridspec(2, columns, height_ratios=[1.25, 1])
+    figure = Figure(figsize=(3.3 * columns, 6.6 + 3.0 * len(readings)), layout="constrained")
+    grid = figure.add_gridspec(2 + len(readings), columns, height_ratios=[1.25, *(1.0 for _ in readings), 1])
     share = columns // len(predictions)
     for i, prediction in enumerate(predictions):
-        _draw_curve(figure.add_subplot(grid[0, i * share : (i + 1) * share if i + 1 < len(predictions) else columns]),
-                    estimate, prediction)  # fmt: skip
+        place = slice(i * share, (i + 1) * share if i + 1 < len(predictions) else columns)
+        _draw_curve(figure.add_subplot(grid[0, place]), estimate, prediction)
+        for row, reading in enumerate(readings, start=1):
+            _draw_reading(figure.add_subplot(grid[row, place]), estimate, prediction, reading)
     values = estimate.posterior.values
     for i in range(d):
-        _draw_parameter(figure.add_subplot(grid[1, i]), estimate, i, values)
+        _draw_parameter(figure.add_subplot(grid[-1, i]), estimate, i, values)
     if not estimate.goodness.explained:
         figure.suptitle(
             "not explained: " + "; ".join(estimate.goodness.complaints), color=RED, fontsize=9, x=0.01, ha="left"
@@ -48,7 +55,7 @@ def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figu
 
 def _draw_curve(axes: Axes, estimate: Estimate, prediction: Prediction) -> None:
     """Predicted spin curve of one amplitude, and the points measured at it."""
-    _draw_prediction(axes, prediction)
+    _draw_prediction(axes, prediction, prediction.rates)
     _draw_data(axes, estimate, prediction.amplitude)
     axes.set_title(f"$A_p$ = {math.degrees(prediction.amplitude[0]):.3g} deg", loc="left", fontsize=10)
     axes.set_ylim(bottom=0)
@@ -56,11 +63,24 @@ def _draw_curve(axes: Axes, estimate: Estimate, prediction: Prediction) -> None:
     label_axes(axes, "plate frequency $f_p$ (Hz)", "spin rate $\\omega_B$ (deg/s)")
 
 
-def _draw_prediction(axes: Axes, prediction: Prediction) -> None:
-    f, rates = prediction.frequency, prediction.rates
+def _draw_reading(axes: Axes, estimate: Estimate, prediction: Prediction, reading: Readings) -> None:
+    """What is predicted of one observable at one amplitude, and the readings of it."""
+    observable, conditions = reading.observable, estimate.posterior.data.conditions
+    _draw_prediction(axes, prediction, observable.scale * prediction.values[reading.name])
+    at = np.array([conditions[i].amplitude == prediction.amplitude for i in reading.which])
+    f = np.array([conditions[i].frequency for i in reading.which])
+    axes.errorbar(f[at], observable.scale * reading.value[at], observable.scale * reading.sd[at], fmt="o", mfc="white",
+                  mec="black", ecolor="black", ms=5.5, mew=1.3, label="read")  # fmt: skip
+    axes.set_ylim(bottom=0)
+    unit = "" if observable.heading == reading.name else f" ({observable.read_in})"
+    label_axes(axes, "plate frequency $f_p$ (Hz)", f"{observable.label}{unit}")
+
+
+def _draw_prediction(axes: Axes, prediction: Prediction, values: Array) -> None:
+    f = prediction.frequency
     with np.errstate(all="ignore"):
         stays = ~fails(prediction.failed.sum(axis=0), len(prediction.failed))
-        low, middle, high = (_quantile(rates, q) for q in (0.05, 0.5, 0.95))
+        low, middle, high = (_quantile(values, q) for q in (0.05, 0.5, 0.95))
     axes.fill_between(f[stays], low[stays], high[stays], color=BLUE, alpha=0.2, lw=0, label="90 % of predictions")
     axes.plot(f[stays], middle[stays], color=BLUE, lw=1.4, label="median prediction")
     runs_off = ~stays & (f > f[stays].max(initial=0.0))

@@ -11,6 +11,7 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
+from plategait.estimate.likelihood import LEAST_NOISE
 from plategait.estimate.observations import Condition
 from plategait.estimate.posterior import Posterior
 from plategait.estimate.runs import EngineRuns, run_engine
@@ -24,7 +25,7 @@ SPAN = np.linspace(0.5, 1.2, 15)
 # Quantiles of the run-off frequency at which there are candidates too.
 RUN_OFF_QUANTILES = (0.2, 0.35, 0.5, 0.65, 0.8)
 USUAL_NOISE = 0.05  # relative, where the data came with their own
-UNINFORMATIVE = 1e6  # deg/s, noise of a rate that no emulator tells
+UNINFORMATIVE = 1e6  # noise of what no emulator tells
 LEAST_EFFECTIVE = 40  # samples, fewer of which say nothing of a spread
 MOST_MEASUREMENTS = 40
 FUTURES = 8
@@ -40,15 +41,15 @@ class Forecast:
         The candidates.
     values : (n, d) array
         Samples, SI.
-    rates, sd : (n, c) arrays
-        Spin rates and their noise, deg/s.
+    outcome, sd : (n, c, q) arrays
+        What a measurement reads, and its noise: the spin rate, deg/s, then each observable that the data have, SI.
     stays : (n, c) array
         Probability that the object stays on the plate.
     """
 
     conditions: tuple[Condition, ...]
     values: Array
-    rates: Array
+    outcome: Array
     sd: Array
     stays: Array
 
@@ -63,7 +64,7 @@ class Forecast:
         return weight @ (self.values - mean) ** 2
 
     def expected_variances(self, weight: Array) -> Array:
-        """Variance (c, d) of the parameters to expect after each candidate, its rate taken as Gaussian."""
+        """Variance (c, d) of the parameters to expect after each candidate, its readings taken as Gaussian."""
         stays = weight[:, None] * self.stays
         fails = weight[:, None] - stays
         return self._share(stays, rated=True) + self._share(fails, rated=False)
@@ -75,20 +76,25 @@ class Forecast:
         mean = share.T @ self.values
         variance = np.maximum(share.T @ self.values**2 - mean**2, 0.0)
         if rated:
-            rate = np.sum(share * self.rates, axis=0)
-            deviation = self.rates - rate
-            spread = np.sum(share * (deviation**2 + self.sd**2), axis=0) + 1e-300
-            covariance = (share * deviation).T @ self.values
-            variance = np.maximum(variance - covariance**2 / spread[:, None], 0.0)
+            deviation = self.outcome - np.einsum("nc,ncq->cq", share, self.outcome)
+            noise = np.einsum("nc,ncq->cq", share, self.sd**2)
+            # Each reading in units of its own spread, of which none is left where no sample stays.
+            scale = np.sqrt(np.einsum("nc,ncq->cq", share, deviation**2) + noise) + 1e-150
+            deviation = deviation / scale
+            spread = np.einsum("nc,ncq,ncp->cqp", share, deviation, deviation)
+            spread += (noise / scale**2 + 1e-12)[:, :, None] * np.eye(noise.shape[1])
+            covariance = np.einsum("nc,ncq,nd->cqd", share, deviation, self.values)
+            explained = np.sum(covariance * np.linalg.solve(spread, covariance), axis=1)
+            variance = np.maximum(variance - explained, 0.0)
         return total[:, None] * variance
 
     def measured(self, weight: Array, candidate: int, truth: int, generator: np.random.Generator) -> Array:
         """Weights (n,) after one candidate is measured, were one of the samples the truth."""
         stays = self.stays[:, candidate]
         if generator.random() < stays[truth]:
-            rates, sd = self.rates[:, candidate], self.sd[:, candidate]
-            rate = generator.normal(rates[truth], sd[truth])
-            score = -0.5 * ((rate - rates) / sd) ** 2 - np.log(sd)
+            outcome, sd = self.outcome[:, candidate], self.sd[:, candidate]
+            seen = generator.normal(outcome[truth], sd[truth])
+            score = np.sum(-0.5 * ((seen - outcome) / sd) ** 2 - np.log(sd), axis=1)
             weight = weight * stays * np.exp(score - score.max())
         else:
             weight = weight * (1 - stays)
@@ -121,14 +127,16 @@ def forecast_of(
     draws = posterior.u[generator.choice(len(posterior.u), size, replace=False)]
     samples = posterior.u[generator.choice(len(posterior.u), SAMPLES, replace=False)]
     grid = [condition for amplitude in amplitudes for condition in _grid(amplitude)]
-    runs = run_engine(posterior.unknowns, draws, grid, seed=seed, progress=progress)
+    readings = posterior.data.readings
+    names = [r.name for r in readings]
+    runs = run_engine(posterior.unknowns, draws, grid, observables=names, seed=seed, progress=progress)
     emulators = _Emulators.of(runs, amplitudes)
     median_noise = float(np.median(posterior.noise)) if noise is None else noise
-    relative = np.full(SAMPLES, median_noise if median_noise > 0 else USUAL_NOISE)
+    relative = np.array([median_noise if median_noise > 0 else USUAL_NOISE, *(r.relative for r in readings)])
     candidates = [c for amplitude in amplitudes for c in _candidates(emulators, amplitude, samples)]
     columns = [emulators.expect(c, samples, relative) for c in candidates]
-    rates, sd, stays = (np.stack([column[k] for column in columns], axis=1) for k in range(3))
-    return Forecast(tuple(candidates), posterior.unknowns.values(samples), rates, sd, stays)
+    outcome, sd, stays = (np.stack([column[k] for column in columns], axis=1) for k in range(3))
+    return Forecast(tuple(candidates), posterior.unknowns.values(samples), outcome, sd, stays)
 
 
 def _grid(amplitude: tuple[float, float]) -> list[Condition]:
@@ -139,7 +147,7 @@ def _grid(amplitude: tuple[float, float]) -> list[Condition]:
 
 @dataclass(frozen=True, eq=False)
 class _Emulators:
-    """Rates of every condition that the engine ran, and the run-off of every amplitude, over the parameters."""
+    """What was read of every condition that the engine ran, and the run-off of every amplitude, over the parameters."""
 
     runs: EngineRuns
     rates: RateEmulator
@@ -150,10 +158,14 @@ class _Emulators:
         """Learn from runs, all of which count alike."""
         near = np.ones(len(runs.u), dtype=bool)
         run_offs = {a: fit_run_off(runs.u, *runs.brackets(a), near) for a in amplitudes}
-        return _Emulators(runs, fit_rates(runs.u, runs.rates, near), run_offs)
+        columns = np.concatenate([runs.rates, *runs.values.values()], axis=1)
+        return _Emulators(runs, fit_rates(runs.u, columns, near), run_offs)
 
     def expect(self, condition: Condition, samples: Array, noise: Array) -> tuple[Array, Array, Array]:
-        """Rate (n,), its noise (n,) and probability to stay (n,) of the samples under one candidate."""
+        """What a measurement reads (n, q), its noise (n, q) and the probability to stay (n,) under one candidate.
+
+        `noise` (q,) is relative.
+        """
         from scipy.special import ndtr
 
         grid, run_off = self.runs.conditions, self.run_offs[condition.amplitude]
@@ -163,12 +175,16 @@ class _Emulators:
             stays = ndtr((run_off(samples) - condition.frequency) / run_off.width)
         else:
             stays = np.full(len(samples), 1.0 - self.runs.failed[:, nearest].mean())
-        error = self.rates.error[nearest]
-        if grid[nearest].frequency != condition.frequency or not math.isfinite(error):
-            # Where no rate was learnt, only whether it stays is told.
-            return np.zeros(len(samples)), np.full(len(samples), UNINFORMATIVE), stays
-        rate = self.rates(samples)[:, nearest]
-        return rate, np.hypot(noise * np.abs(rate) + 1.0, error), stays
+        columns = nearest + len(grid) * np.arange(len(noise))
+        error = self.rates.error[columns]
+        if grid[nearest].frequency != condition.frequency:
+            error = np.full(len(noise), math.inf)
+        learnt = np.isfinite(error)
+        read = np.where(learnt, self.rates(samples)[:, columns], 0.0)
+        # Where nothing was learnt, only whether it stays is told. No camera sees a rate better than a degree a second.
+        least = np.where(np.arange(len(noise)) == 0, LEAST_NOISE, 1e-9)
+        sd = np.where(learnt, np.hypot(noise * np.abs(read) + least, np.where(learnt, error, 0.0)), UNINFORMATIVE)
+        return read, sd, stays
 
 
 def _candidates(emulators: _Emulators, amplitude: tuple[float, float], samples: Array) -> list[Condition]:

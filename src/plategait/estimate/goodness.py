@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from plategait.arrays import Array
 from plategait.estimate.likelihood import Likelihood
+from plategait.estimate.observations import Observations
 from plategait.estimate.posterior import Posterior
 
 # The data are not explained where chance alone would give so bad a fit less often than this.
@@ -47,9 +48,13 @@ class Goodness:
     p_runs : float
         Posterior predictive probability of residuals that hang together as much over the plate frequency.
     n_outliers, n_rates : int
-        Rates that are probably outliers, of how many.
+        Rates and readings that are probably outliers, of how many.
     outliers : tuple of float
-        Their plate frequencies, Hz.
+        Plate frequencies of the rates among them, Hz.
+    outlying_readings : tuple of str
+        The readings among them, in words.
+    read : bool
+        Whether there are readings beside the rates.
     run_offs : tuple of str
         Where the object stayed or ran off against every prediction, in words.
     noise : float
@@ -65,6 +70,8 @@ class Goodness:
     outliers: tuple[float, ...]
     run_offs: tuple[str, ...]
     noise: float
+    outlying_readings: tuple[str, ...] = ()
+    read: bool = False
 
     @property
     def explained(self) -> bool:
@@ -76,13 +83,17 @@ class Goodness:
         """What is wrong, in words; empty where the data are explained."""
         return tuple(self._complaints())
 
+    @property
+    def _points(self) -> str:
+        return "rates and readings" if self.read else "rates"
+
     def _complaints(self) -> Iterator[str]:
         if self.p < SIGNIFICANCE:
-            yield f"the rates lie further from every prediction than their noise allows (p = {self.p:.1g})"
+            yield f"the {self._points} lie further from every prediction than their noise allows (p = {self.p:.1g})"
         if self.p_runs < SIGNIFICANCE:
-            yield f"the rates lie above and below the predictions in stretches (p = {self.p_runs:.1g})"
+            yield f"the {self._points} lie above and below the predictions in stretches (p = {self.p_runs:.1g})"
         if self.n_outliers > max(1, MOST_OUTLIERS * self.n_rates):
-            yield f"{self.n_outliers} of {self.n_rates} rates would have to be outliers"
+            yield f"{self.n_outliers} of {self.n_rates} {self._points} would have to be outliers"
         yield from self.run_offs
         if self.noise > LARGEST_NOISE:
             yield f"only a noise of {100 * self.noise:.0f} % would explain the rates"
@@ -96,8 +107,9 @@ def goodness_of_fit(posterior: Posterior) -> Goodness:
     draws = posterior.full[:: max(1, len(posterior.full) // DRAWS)]
     outlying = _outlying(likelihood, draws)
     counts = ~outlying & likelihood.emulated
-    frequency = data.frequency[data.rated]
-    order = np.argsort(frequency[counts], kind="stable")
+    frequency = np.array([data.conditions[i].frequency for i in data.compared.condition])
+    # Neighbours are of one quantity: errors of a rate and of a reading at one frequency have nothing to do.
+    order = np.lexsort((frequency[counts], data.compared.quantity[counts]))
     deviation = likelihood.deviations(draws)[:, counts][:, order]
     chi2 = np.sum(deviation**2, axis=1)
     return Goodness(
@@ -107,7 +119,9 @@ def goodness_of_fit(posterior: Posterior) -> Goodness:
         p_runs=_p_runs(deviation),
         n_outliers=int(outlying.sum()),
         n_rates=len(outlying),
-        outliers=tuple(float(f) for f in np.unique(frequency[outlying])),
+        outliers=tuple(float(f) for f in np.unique(frequency[outlying & (data.compared.quantity == 0)])),
+        outlying_readings=tuple(_outlying_readings(data, outlying)),
+        read=bool(data.readings),
         run_offs=tuple(_run_offs(likelihood, draws)),
         noise=float(np.median(posterior.noise)) if likelihood.noise_is_unknown else math.nan,
     )
@@ -117,6 +131,14 @@ def _outlying(likelihood: Likelihood, draws: Array) -> NDArray[np.bool_]:
     """Rated points (points,) that are probably outliers."""
     inlier, outlier = likelihood.point_terms(draws)
     return np.mean(1 / (1 + np.exp(np.clip(inlier - outlier, -50, 50))), axis=0) > OUTLIER_ODDS
+
+
+def _outlying_readings(data: Observations, outlying: NDArray[np.bool_]) -> Iterator[str]:
+    """Readings that are probably outliers, in words."""
+    for i in np.flatnonzero(outlying & (data.compared.quantity > 0)):
+        reading = data.readings[data.compared.quantity[i] - 1]
+        condition = data.conditions[data.compared.condition[i]]
+        yield f"{reading.observable.label} at {condition.frequency:g} Hz"
 
 
 def _p_runs(deviation: Array) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,13 +28,13 @@ SURPRISE = 0.01
 
 @dataclass(frozen=True, eq=False)
 class Likelihood:
-    """Emulators of the rates and run-offs that were measured, with the data beside them.
+    """Emulators of the rates, readings and run-offs that were measured, with the data beside them.
 
     Attributes
     ----------
     data : Observations
     rates : RateEmulator
-        Of every condition.
+        Of every condition, and after them of each reading at every condition.
     run_offs : dict
         Emulator by amplitude, None where the runs did not bracket the run-off.
     noise : float or None
@@ -57,37 +58,43 @@ class Likelihood:
         return u, np.full(len(u), 0.0 if self.noise is None else self.noise)
 
     def predicted(self, parameters: Array) -> Array:
-        """Rates (n, points) at the rated points, deg/s."""
-        return self.rates(parameters)[:, self.data.which[self.data.rated]]
+        """Rates and readings (n, points) as `Observations.compared` has them."""
+        return self.rates(parameters)[:, self._columns]
+
+    @cached_property
+    def _columns(self) -> NDArray[np.int64]:
+        compared = self.data.compared
+        return compared.quantity * len(self.data.conditions) + compared.condition
 
     def spread(self, predicted: Array, noise: Array) -> Array:
-        """Standard deviation (n, points) of the rated points about the prediction: measurement, chaos, emulator."""
-        own = self.data.sd[self.data.rated]
+        """Standard deviation (n, points) of the points about the prediction: measurement, chaos, emulator."""
+        own = self.data.compared.sd
         relative = np.hypot(noise[:, None] * predicted, LEAST_NOISE)
         measured = np.where(np.isfinite(own), own, relative)
-        return np.hypot(measured, self._error)
+        return np.hypot(measured, self.error)
 
     @property
-    def _error(self) -> Array:
-        return self.rates.error[self.data.which[self.data.rated]]
+    def error(self) -> Array:
+        """Error (points,) of the emulators."""
+        return self.rates.error[self._columns]
 
     @property
     def emulated(self) -> NDArray[np.bool_]:
-        """Rated points (points,) whose rate is emulated: where enough of the engine's runs stayed on the plate."""
-        return np.isfinite(self._error)
+        """Points (points,) that are emulated: where enough of the engine's runs stayed on the plate."""
+        return np.isfinite(self.error)
 
     def deviations(self, u: Array) -> Array:
-        """Deviations (n, points) of the rated points from the prediction of each sample, in units of their spread."""
+        """Deviations (n, points) of the points from the prediction of each sample, in units of their spread."""
         parameters, noise = self.split(u)
         predicted = self.predicted(parameters)
-        return (self.data.rate[self.data.rated] - predicted) / self.spread(predicted, noise)
+        return (self.data.compared.value - predicted) / self.spread(predicted, noise)
 
     def point_terms(self, u: Array) -> tuple[Array, Array]:
-        """Log densities (n, points) of the rated points as inliers, and as outliers; shares taken in."""
+        """Log densities (n, points) of the points as inliers, and as outliers; shares taken in."""
         parameters, noise = self.split(u)
         predicted = self.predicted(parameters)
         sd = self.spread(predicted, noise)
-        deviation = (self.data.rate[self.data.rated] - predicted) / np.where(self.emulated, sd, 1.0)
+        deviation = (self.data.compared.value - predicted) / np.where(self.emulated, sd, 1.0)
         log_normal = -0.5 * deviation**2 - np.log(sd) - 0.5 * math.log(math.tau)
         log_cauchy = -np.log1p((deviation / OUTLIER_SPREAD) ** 2) - np.log(OUTLIER_SPREAD * sd) - math.log(math.pi)
         inlier = np.where(self.emulated, log_normal, 0.0) + math.log1p(-OUTLIER_SHARE)
@@ -118,4 +125,5 @@ def learn(data: Observations, runs: EngineRuns, near: NDArray[np.bool_], noise: 
     for amplitude in data.brackets():
         low, high = runs.brackets(amplitude)
         run_offs[amplitude] = fit_run_off(runs.u, low, high, near)
-    return Likelihood(data, fit_rates(runs.u, runs.rates, near), run_offs, noise)
+    columns = np.concatenate([runs.rates, *(runs.values[r.name] for r in data.readings)], axis=1)
+    return Likelihood(data, fit_rates(runs.u, columns, near), run_offs, noise)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
 from plategait.errors import InputError
+from plategait.estimate.readings import Readings, gather, is_read, unused
 from plategait.model.motion import PlateMotion
 
 MOST_CONDITIONS = 60
@@ -40,6 +42,26 @@ class Condition:
 
 
 @dataclass(frozen=True, eq=False)
+class Compared:
+    """Measured numbers that the engine gives too.
+
+    Attributes
+    ----------
+    quantity : (n,) int array
+        0 for a spin rate, k for the k-th of the readings.
+    condition : (n,) int array
+        Condition of each.
+    value, sd : (n,) arrays
+        Rates in deg/s, readings SI; the sd of a rate may be NaN.
+    """
+
+    quantity: NDArray[np.int64]
+    condition: NDArray[np.int64]
+    value: Array
+    sd: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Observations:
     """Measured points.
 
@@ -57,6 +79,8 @@ class Observations:
         Whether the object ran off, folded or left the plate.
     notes : tuple of str
         What was left out, and why, and what of the files is odd.
+    readings : tuple of Readings
+        What else was read of the object at those points.
     """
 
     conditions: tuple[Condition, ...]
@@ -65,6 +89,7 @@ class Observations:
     sd: Array
     failed: NDArray[np.bool_]
     notes: tuple[str, ...] = ()
+    readings: tuple[Readings, ...] = ()
 
     @property
     def rated(self) -> NDArray[np.bool_]:
@@ -75,6 +100,18 @@ class Observations:
     def frequency(self) -> Array:
         """Plate frequency of each point, Hz."""
         return np.array([self.conditions[i].frequency for i in self.which])
+
+    @cached_property
+    def compared(self) -> Compared:
+        """Every number to compare with what the engine gives: the rates, then the readings."""
+        rated = self.rated
+        condition = [self.which[rated], *(r.which for r in self.readings)]
+        return Compared(
+            quantity=np.repeat(np.arange(len(condition)), [len(w) for w in condition]),
+            condition=np.concatenate(condition),
+            value=np.concatenate([self.rate[rated], *(r.value for r in self.readings)]),
+            sd=np.concatenate([self.sd[rated], *(r.sd for r in self.readings)]),
+        )
 
     def brackets(self) -> dict[tuple[float, float], tuple[float, float]]:
         """By amplitude, the frequencies (Hz) between which the object begins to run off.
@@ -104,35 +141,38 @@ def observe_curves(curves: Sequence[Curve], motions: Sequence[PlateMotion]) -> O
     InputError
         With too few rates to say anything, or too many different plate motions.
     """
-    points: list[tuple[Condition, float, float, bool]] = []
+    points: list[_Point] = []
     notes: list[str] = []
     for curve, motion in zip(curves, motions, strict=True):
         notes += curve.notes
-        failed = curve.failed
-        first = float(curve.frequency_hz[failed].min(initial=math.inf))
-        # By their number, not their sum: one slipped decimal point must not turn all the others round.
-        turn = -1.0 if np.nansum(np.sign(curve.spin_rate_deg_s[~failed])) < 0 else 1.0
-        angles = curve.angle_deg if curve.angle_deg is not None else np.full(len(failed), math.nan)
-        island = ~failed & (curve.frequency_hz > first) & np.isfinite(curve.spin_rate_deg_s)
-        if island.any():
-            listed = ", ".join(f"{f:g}" for f in sorted(curve.frequency_hz[island]))
-            notes.append(f"left out: rates at {listed} Hz, beyond the first failure at {first:g} Hz")
-        for i, frequency in enumerate(curve.frequency_hz):
-            angle = motion.angle if math.isnan(angles[i]) else math.radians(angles[i])
-            condition = Condition(angle, motion.stroke, float(frequency))
-            rate = turn * float(curve.spin_rate_deg_s[i])
-            if not island[i] and (failed[i] or math.isfinite(rate)):
-                sd = float(curve.spin_rate_sd_deg_s[i])
-                points.append((condition, math.nan if failed[i] else rate, sd if sd > 0 else math.nan, bool(failed[i])))
-    points = _up_to_the_first_failure(points)
-    conditions = sorted({p[0] for p in points})
+        of_curve = list(_points(curve, motion))
+        first = _first_failures(of_curve)
+        island = [p for p in of_curve if not p.failed and p.condition.frequency > first[p.condition.amplitude]]
+        for amplitude, at in first.items():
+            listed = sorted(p.condition.frequency for p in island if p.condition.amplitude == amplitude)
+            if listed:
+                hertz = ", ".join(f"{f:g}" for f in listed)
+                notes.append(f"left out: rates at {hertz} Hz, beyond the first failure at {at:g} Hz")
+        points += [p for p in of_curve if p not in island]
+    # Failures beyond the first of their amplitude say nothing more of where it begins.
+    first = _first_failures(points)
+    points = [p for p in points if not p.failed or p.condition.frequency <= first[p.condition.amplitude]]
+    conditions = sorted({p.condition for p in points})
     if len(conditions) > MOST_CONDITIONS:
         raise InputError("curve", f"{len(conditions)} different plate motions", f"at most {MOST_CONDITIONS}",
                          "averaging neighbouring frequencies")  # fmt: skip
-    columns = list(zip(*points, strict=True)) if points else [(), (), (), ()]
-    which = np.array([conditions.index(c) for c in columns[0]], dtype=np.int64)
-    data = Observations(tuple(conditions), which, np.array(columns[1], dtype=float), np.array(columns[2], dtype=float),
-                        np.array(columns[3], dtype=bool), tuple(notes))  # fmt: skip
+    notes += filter(None, [unused(curves)])
+    which = np.array([conditions.index(p.condition) for p in points], dtype=np.int64)
+    readings = gather((p.curve, p.row, int(c)) for p, c in zip(points, which, strict=True) if not p.failed)
+    data = Observations(
+        tuple(conditions),
+        which,
+        np.array([p.rate for p in points], dtype=float),
+        np.array([p.sd for p in points], dtype=float),
+        np.array([p.failed for p in points], dtype=bool),
+        tuple(notes),
+        readings,
+    )
     different = len(set(data.which[data.rated].tolist()))
     if different < LEAST_RATES:
         raise InputError("curve", f"spin rates at {different} plate frequencies", f"at least {LEAST_RATES} of them",
@@ -140,12 +180,36 @@ def observe_curves(curves: Sequence[Curve], motions: Sequence[PlateMotion]) -> O
     return data
 
 
-def _up_to_the_first_failure(
-    points: list[tuple[Condition, float, float, bool]],
-) -> list[tuple[Condition, float, float, bool]]:
-    """Points without the failures beyond the first of their amplitude, which say nothing more of where it begins."""
+@dataclass(frozen=True, eq=False)
+class _Point:
+    """One measured point, and the row of the curve that tells it."""
+
+    condition: Condition
+    rate: float
+    sd: float
+    failed: bool
+    curve: Curve
+    row: int
+
+
+def _points(curve: Curve, motion: PlateMotion) -> Iterator[_Point]:
+    """Points of a curve at which something was measured; rates positive the way that its object mostly spins."""
+    failed = curve.failed
+    # By their number, not their sum: one slipped decimal point must not turn all the others round.
+    turn = -1.0 if np.nansum(np.sign(curve.spin_rate_deg_s[~failed])) < 0 else 1.0
+    angles = curve.angle_deg if curve.angle_deg is not None else np.full(len(failed), math.nan)
+    for i, frequency in enumerate(curve.frequency_hz):
+        angle = motion.angle if math.isnan(angles[i]) else math.radians(angles[i])
+        rate, sd = turn * float(curve.spin_rate_deg_s[i]), float(curve.spin_rate_sd_deg_s[i])
+        if failed[i] or math.isfinite(rate) or is_read(curve, i):
+            yield _Point(Condition(angle, motion.stroke, float(frequency)), math.nan if failed[i] else rate,
+                         sd if sd > 0 else math.nan, bool(failed[i]), curve, i)  # fmt: skip
+
+
+def _first_failures(points: Sequence[_Point]) -> dict[tuple[float, float], float]:
+    """Lowest frequency at which any failed, Hz, by amplitude; infinite where none did."""
     first: dict[tuple[float, float], float] = {}
-    for condition, _, _, failed in points:
-        if failed:
-            first[condition.amplitude] = min(first.get(condition.amplitude, math.inf), condition.frequency)
-    return [p for p in points if not p[3] or p[0].frequency <= first[p[0].amplitude]]
+    for p in points:
+        at = p.condition.frequency if p.failed else math.inf
+        first[p.condition.amplitude] = min(first.get(p.condition.amplitude, math.inf), at)
+    return first

@@ -140,7 +140,8 @@ def estimate_posterior(
 
     def run(u: Array, before: int) -> EngineRuns:
         report = None if progress is None else _part(progress, before, len(u), first + 2 * later)
-        return run_engine(unknowns, u, data.conditions, seed=seed, progress=report)
+        names = [r.name for r in data.readings]
+        return run_engine(unknowns, u, data.conditions, observables=names, seed=seed, progress=report)
 
     def learn_from(runs: EngineRuns, near: NDArray[np.bool_]) -> _Round:
         likelihood = learn(data, runs, near, noise)
@@ -170,7 +171,7 @@ def _emulates(latest: _Round, good_enough: float, generator: np.random.Generator
     likelihood, data = latest.likelihood, latest.likelihood.data
     parameters, noise = likelihood.split(latest.particles.resampled(1.0, 256, generator))
     spread = np.median(likelihood.spread(likelihood.predicted(parameters), noise), axis=0)
-    error = likelihood.rates.error[data.which[data.rated]]
+    error = likelihood.error
     if not np.isfinite(error).all() or np.quantile(error / spread, 0.75) >= good_enough:
         return False
     return all(

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -29,12 +29,15 @@ class Prediction:
     rates : (n, c) array
         deg/s; NaN where a draw runs off.
     failed : (n, c) bool array
+    values : mapping of str to (n, c) array
+        Observables that were read, by name, SI; NaN where a draw runs off.
     """
 
     amplitude: tuple[float, float]
     frequency: Array
     rates: Array
     failed: np.ndarray
+    values: Mapping[str, Array] = field(default_factory=dict)
 
 
 def predict(
@@ -54,6 +57,7 @@ def predict(
             if progress is not None:
                 progress((i + done) / len(amplitudes))
 
-        runs = run_engine(posterior.unknowns, u, conditions, seed=seed, progress=report)
-        predictions.append(Prediction(amplitude, grid, runs.rates, runs.failed))
+        names = [r.name for r in posterior.data.readings]
+        runs = run_engine(posterior.unknowns, u, conditions, observables=names, seed=seed, progress=report)
+        predictions.append(Prediction(amplitude, grid, runs.rates, runs.failed, runs.values))
     return predictions

@@ -118,6 +118,8 @@ class Estimate:
             "p_runs": plain(goodness.p_runs),
             "noise": plain(goodness.noise),
             "outliers_hz": list(goodness.outliers),
+            "outlying_readings": list(goodness.outlying_readings),
+            "readings": {r.name: len(r.value) for r in self.posterior.data.readings},
             "notes": list(self.posterior.data.notes),
             "points": len(self.posterior.data.which),
             "runs": int(self.posterior.runs.rates.size),

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,17 +28,21 @@ class EngineRuns:
     rates : (n, c) array
         Spin rates, deg/s; NaN where a run failed or lies beyond its first failure.
     failed : (n, c) bool array
+    values : mapping of str to (n, c) array
+        Observables by name, SI; NaN where the rates are.
     """
 
     u: Array
     conditions: tuple[Condition, ...]
     rates: Array
     failed: NDArray[np.bool_]
+    values: Mapping[str, Array] = field(default_factory=dict)
 
     def joined(self, more: EngineRuns) -> EngineRuns:
         """Both, one after the other."""
         return EngineRuns(np.concatenate([self.u, more.u]), self.conditions, np.concatenate([self.rates, more.rates]),
-                      np.concatenate([self.failed, more.failed]))  # fmt: skip
+                      np.concatenate([self.failed, more.failed]),
+                      {name: np.concatenate([x, more.values[name]]) for name, x in self.values.items()})  # fmt: skip
 
     def brackets(self, amplitude: tuple[float, float]) -> tuple[Array, Array]:
         """Frequencies (n,) between which each run of one amplitude begins to fail; 0 or infinity where none."""
@@ -51,6 +55,7 @@ def run_engine(
     u: Array,
     conditions: Sequence[Condition],
     *,
+    observables: Sequence[str] = (),
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
 ) -> EngineRuns:
@@ -63,7 +68,11 @@ def run_engine(
     shape = (len(u), len(conditions))
     rates = np.degrees([s.spin_rate for s in simulations]).reshape(shape)
     failed = np.array([s.failed for s in simulations]).reshape(shape)
-    return EngineRuns(u, tuple(conditions), np.where(failed | _beyond(failed, conditions), math.nan, rates), failed)
+    out = failed | _beyond(failed, conditions)
+    values = {
+        name: np.where(out, math.nan, np.reshape([s.value(name) for s in simulations], shape)) for name in observables
+    }
+    return EngineRuns(u, tuple(conditions), np.where(out, math.nan, rates), failed, values)
 
 
 def _beyond(failed: NDArray[np.bool_], conditions: Sequence[Condition]) -> NDArray[np.bool_]:
