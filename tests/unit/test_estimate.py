@@ -36,7 +36,8 @@ def curve(frequency, rate, failure=None, sd=None, angle=None, values=None, value
           for name, given in (("values", values), ("value_sds", value_sds))}  # fmt: skip
     return Curve("c", np.array(frequency, float), np.array(rate, float),
                  np.full(n, math.nan) if sd is None else np.array(sd, float), ("",) * n,
-                 tuple(failure or ("",) * n), angle_deg=None if angle is None else np.array(angle, float), **of)  # fmt: skip
+                 tuple(failure or ("",) * n), **of,
+                 angle_deg=None if angle is None else np.array(angle, float))  # fmt: skip
 
 
 # Parameters
