@@ -56,6 +56,9 @@ if TYPE_CHECKING:
     from plategait.model.scenario_file import read_scenario as read_scenario
     from plategait.model.scenario_file import write_scenario as write_scenario
     from plategait.model.sheet import Sheet as Sheet
+    from plategait.optimize.goal import Goal as Goal
+    from plategait.optimize.optimize import optimize_motion as optimize_motion
+    from plategait.optimize.optimum import Optimum as Optimum
     from plategait.simulation.dataset import dataset_of as dataset_of
     from plategait.simulation.dataset import write_dataset as write_dataset
     from plategait.simulation.registry import Observable as Observable
@@ -87,6 +90,9 @@ _HOMES = {
     "model.scenario": ("Plate", "Scenario", "Start"),
     "model.scenario_file": ("read_scenario", "write_scenario"),
     "model.sheet": ("Sheet",),
+    "optimize.goal": ("Goal",),
+    "optimize.optimize": ("optimize_motion",),
+    "optimize.optimum": ("Optimum",),
     "simulation.dataset": ("dataset_of", "write_dataset"),
     "simulation.registry": ("Observable", "add_observable"),
     "simulation.result": ("Simulation",),

@@ -75,6 +75,12 @@ SHOT = OBJECT | typed(
     frequency="20 Hz", fps="60", size="640x360", elevation="70", no_markers="", noise="4", exposure="0.5", crf="30",
     hidden="0.3", seed="4", seconds="0.3", json="",
 )  # fmt: skip
+OPTIMIZE = typed(
+    machine="shaker.toml", spin="2 rad/s", along="0.1 m/s", across="0 mm/s", frequency="20:30 Hz", angle="1:5 deg",
+    stroke="2 mm", free="phase,ratio", _with="measured.toml", duration="3 s", slip_limit="20 mm",
+    chance_of_failure="10%", confidence="95%", searches="2", seed="3", engine="cpu64", store="runs", out="o.toml",
+    plot="p.png", json="",
+)  # fmt: skip
 
 MODES = [
     Mode(("simulate", *SHORT), RUN | typed(frequency="20 Hz", out="o.nc", filmstrip="s.png"), ("--seed", "--draws")),
@@ -89,6 +95,9 @@ MODES = [
     Mode(("fit", "peak.csv"), typed(plot="p.png", json="")),
     Mode(("modes",), typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
     Mode(("needs",), typed(machine="shaker.toml", frequency="20 Hz", angle="5 deg", stroke="2 mm", json="")),
+    Mode(("optimize",), OPTIMIZE, ("--least", "--draws")),
+    Mode(("optimize", "--spin", "2 rad/s"), typed(least="power", along="0 mm/s"), ()),
+    Mode(("optimize", "--with", "measured.toml"), typed(draws="4"), ()),
     Mode(("scenario",), typed(print="cheese", json="")),
     Mode(("scenario", "cheese"), JSON),
     Mode(("scenario", "--print", "cheese"), {}),
@@ -233,6 +242,8 @@ def answers(files) -> dict[str, object]:
     from plategait.campaign.opened import open_sweep
     from plategait.estimate.result import estimate_parameters
     from plategait.model.presets import preset
+    from plategait.optimize.optimize import optimize_motion
+    from plategait.optimize.search import Effort
     from plategait.render.clip.clip import film, usual_camera
     from plategait.simulation.run import simulate
     from plategait.study.evaluation import Evaluation
@@ -261,6 +272,9 @@ def answers(files) -> dict[str, object]:
         "plategait.estimate.figures.plot_estimate": Figure(),
         "plategait.campaign.figures.plot_campaign": Figure(),
         "plategait.campaign.run.sweep": open_sweep(files / "done.zarr"),
+        "plategait.optimize.optimize.optimize_motion": optimize_motion(
+            cheese.replace(duration=0.4), effort=Effort(first=8, population=6, generations=3, test=4)
+        ),
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
         "plategait.study.source.study_source": SourceStudy(
             learnt=Learnt(Evaluation((Choice({}),), np.ones((1, 3, 44, 3)), np.ones(1), np.zeros((1, 5))), ()),

@@ -27,7 +27,6 @@ _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
 _HEIGHT = Quantity("m", "mm", "5 mm", at_least=-1, at_most=1)
 _TIME = Quantity("s", "s", "2 s", above=0)
-_SHARE = Quantity("", "", "0.05", above=0)
 
 
 @dataclass(frozen=True)
@@ -156,13 +155,13 @@ class MeasurementOptions:
                 curves,
                 base,
                 motions=motions,
-                noise=None if self.noise is None else _share(self.noise, "--noise"),
-                friction_ratio=None if self.beta is None else _SHARE.read(self.beta, "--beta"),
+                noise=None if self.noise is None else options.read_share(self.noise, "--noise"),
+                friction_ratio=None if self.beta is None else options.SHARE.read(self.beta, "--beta"),
                 free=tuple(self.free or ()),
                 fixed=(*(self.fixed or ()), *setup.exact),
                 measured=setup.known,
                 thickness_sd=setup.thickness_sd,
-                confidence=_share(self.confidence, "--confidence"),
+                confidence=options.read_share(self.confidence, "--confidence"),
                 seed=seed,
                 progress=progress,
             )
@@ -219,13 +218,6 @@ class OutputOptions:
     out: Annotated[Path | None, typer.Option("--out", help="Write a scenario fragment for --with: .toml.")] = None
     plot: options.Plot = None
     as_json: options.Json = False
-
-
-def _share(text: str, option: str) -> float:
-    """A share as a number, or in percent."""
-    if text.strip().endswith("%"):
-        return _SHARE.read(text.strip()[:-1].strip(), option) / 100
-    return _SHARE.read(text, option)
 
 
 def read_measured(text: str, quantity: Quantity, option: str) -> tuple[float, float]:

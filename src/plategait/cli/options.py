@@ -15,7 +15,7 @@ from plategait.model.fragment import overlay, read_fragment
 from plategait.model.parameters import find_parameter, kinetic_follows, with_values
 from plategait.model.presets import PRESETS, as_scenario
 from plategait.model.scenario import Scenario
-from plategait.units import FREQUENCY
+from plategait.units import FREQUENCY, Quantity
 
 if TYPE_CHECKING:
     from numpy.random import Generator
@@ -55,6 +55,15 @@ Draws = Annotated[
     typer.Option("--draws", help="Run this many draws of what --with is uncertain of; 0 runs its values only.", min=0),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
+
+SHARE = Quantity("", "", "0.05", above=0)
+
+
+def read_share(text: str, option: str) -> float:
+    """A share as a number, or in percent."""
+    if text.strip().endswith("%"):
+        return SHARE.read(text.strip()[:-1].strip(), option) / 100
+    return SHARE.read(text, option)
 
 
 def refuse_idle_seed(context: typer.Context, repeats: int) -> None:

@@ -17,7 +17,7 @@ from scipy.optimize import least_squares
 from scipy.stats import qmc
 
 from plategait.arrays import Array, Flags
-from plategait.errors import InputError
+from plategait.optimize.strategy import evolution_strategy
 from plategait.study.aims import KIND, N_CURVES, residuals, residuals_of
 from plategait.study.evaluation import FITS_FROM, OUTPUTS, Evaluation, evaluate, joined
 from plategait.study.progress import Progress, part
@@ -254,20 +254,7 @@ def search(
 
 
 def _strategy(z: Array, seed: int) -> Any:
-    """The evolution strategy, from deviations `z` of the priors, with random numbers of its own."""
-    try:
-        import cma
-    except ImportError:
-        raise InputError(
-            "study", "no package cma", "an installation with it", 'pip install "plategait[optimize]"'
-        ) from None
-    rng = np.random.default_rng(seed)
+    """The evolution strategy from deviations `z` of the priors."""
     inside = np.clip(z, LOWEST + 0.05, FARTHEST - 0.05)
-    options = {
-        "bounds": [LOWEST.tolist(), [FARTHEST] * len(UNKNOWNS)],
-        "popsize": POPULATION,
-        "randn": lambda *shape: rng.standard_normal(shape),
-        "seed": np.nan,
-        "verbose": -9,
-    }
-    return cma.CMAEvolutionStrategy(inside, STEP, options)
+    highest = [FARTHEST] * len(UNKNOWNS)
+    return evolution_strategy(inside, STEP, LOWEST.tolist(), highest, POPULATION, seed, "study")

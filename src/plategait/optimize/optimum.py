@@ -1,0 +1,164 @@
+"""The optimum: the motion that was found, and how far it can be relied on."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from plategait.model.machine import Machine
+from plategait.model.scenario import Scenario
+from plategait.model.scenario_file import write_scenario
+from plategait.optimize.goal import Goal
+from plategait.optimize.ranking import largest_chance, least_chance
+from plategait.optimize.search import Found
+from plategait.optimize.space import Space, Variable
+from plategait.optimize.trials import Trial, no_failure
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivity:
+    """What a little less and a little more of one variable does.
+
+    Attributes
+    ----------
+    variable : Variable
+    value : float
+        At the optimum, SI.
+    less, more : (value, Trial) or None
+        Where it was moved to, and what that does; None where the range or the machine ends there.
+    """
+
+    variable: Variable
+    value: float
+    less: tuple[float, Trial] | None
+    more: tuple[float, Trial] | None
+
+
+@dataclass(frozen=True, eq=False)
+class Optimum:
+    """The motion that does best, and how far it can be relied on.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        The object on the motion.
+    goal : Goal
+    machine : Machine
+    space : Space
+    found : tuple of Found
+        By each search; the best of them is what counts.
+    permitted, confidence : float
+    sensitivities : tuple of Sensitivity
+    confirmation : Trial
+        The motion at a tenth of the time step.
+    """
+
+    scenario: Scenario
+    goal: Goal
+    machine: Machine
+    space: Space
+    found: tuple[Found, ...]
+    permitted: float
+    confidence: float
+    sensitivities: tuple[Sensitivity, ...]
+    confirmation: Trial
+
+    @property
+    def chosen(self) -> Found:
+        """The search that found it."""
+        return best_of(self.found, self.goal)
+
+    @property
+    def trial(self) -> Trial:
+        """The motion with the runs of its test, in none of which it was chosen."""
+        return self.chosen.best
+
+    @property
+    def certain(self) -> bool:
+        """Whether the chance of failure is bounded as asked for."""
+        return self.chosen.certain
+
+    @property
+    def chance_of_failure(self) -> float:
+        """Upper bound of the chance of failure, at the confidence asked for."""
+        return largest_chance(self.trial.failed, self.trial.runs, self.confidence)
+
+    @property
+    def reached(self) -> bool:
+        """Whether what was sought is reached: a spin above nothing, or the velocity that was asked for."""
+        if self.goal.fastest:
+            return bool(abs(self.trial.spin_rate) - self.trial.half_width[2] > 0)
+        return self.goal.deviation(self.trial.twist) <= 1
+
+    @property
+    def confirmed(self) -> bool:
+        """Whether the motion does the same at a tenth of the time step.
+
+        Its velocity is within 5 % of what it was, and within what the starts leave uncertain of either, and it does not
+        fail more often than is permitted, as far as so few runs can tell.
+        """
+        fine, usual = self.confirmation, self.trial
+        if not fine.counted or not usual.counted:
+            return False
+        allowed = 0.05 * abs(usual.twist) + np.nan_to_num(fine.half_width + usual.half_width)
+        components = [self._sought(i) for i in range(3)]
+        near = bool((np.abs(fine.twist - usual.twist) <= allowed)[components].all())
+        return near and least_chance(fine.failed, fine.runs, self.confidence) <= self.permitted
+
+    def _sought(self, component: int) -> bool:
+        if self.goal.fastest:
+            return component == 2
+        return (self.goal.along, self.goal.across, self.goal.spin)[component] is not None
+
+    @property
+    def sound(self) -> bool:
+        """Whether it is reached, does not fail more often than permitted, and is confirmed."""
+        return self.certain and self.reached and self.confirmed
+
+    @property
+    def evaluations(self) -> int:
+        """Runs of all searches, heats and tests included."""
+        return sum(found.runs for found in self.found)
+
+    @property
+    def trials(self) -> tuple[Trial, ...]:
+        """All motions that were tried."""
+        return tuple(trial for found in self.found for trial in found.trials)
+
+    def toml(self) -> str:
+        """Scenario of the optimum as a file."""
+        return write_scenario(self.scenario)
+
+
+def best_of(found: Sequence[Found], goal: Goal) -> Found:
+    """Search that found the best: of those whose test was passed and that reach the goal, the fastest or cheapest."""
+
+    def key(each: Found) -> tuple[bool, float, float]:
+        trial = each.best
+        if goal.fastest:
+            return not each.certain, 0.0, -abs(np.nan_to_num(trial.spin_rate))
+        return not each.certain, max(goal.deviation(trial.twist), 1.0), trial.cost(goal.cost)
+
+    return min(found, key=key)
+
+
+def front(trials: Sequence[Trial], cost: str) -> list[Trial]:
+    """Trials that none is both faster and cheaper than, of those of which no run failed; the slowest first.
+
+    Parameters
+    ----------
+    trials : sequence of Trial
+    cost : str
+        What they cost (`plategait.optimize.goal.COSTS`).
+    """
+    stays = [trial for trial, fine in zip(trials, no_failure(trials), strict=True) if fine]
+    left, best = [], math.inf
+    for trial in sorted(stays, key=lambda t: -abs(t.spin_rate)):
+        value = trial.cost(cost)  # type: ignore[arg-type]
+        if value < best:
+            left.append(trial)
+            best = value
+    return left[::-1]
