@@ -17,6 +17,7 @@ from plategait.errors import InputError
 from plategait.estimate import unknowns as parameters
 from plategait.estimate.assumptions import assumptions
 from plategait.estimate.emulator import brackets, fit_rates, fit_run_off, log_between
+from plategait.estimate.handling import Handling
 from plategait.estimate.identifiability import marginal_of
 from plategait.estimate.linear import estimate_linear, line
 from plategait.estimate.observations import Condition, observe_curves
@@ -122,7 +123,9 @@ def test_what_is_assumed_is_said():
     assert said["motion.stroke"].text == "2 mm and 3 mm"
     assert said["duration"].value == CHEESE.duration
     assert said["slip_limit"].text == "20 mm"
-    assert said["motion.ramp"].text == "0.1 s"
+    assert said["motion.ramp"].text == "not known, up to 0.3 s"
+    told = {a.name: a for a in assumptions(sought, conditions, handling=Handling(ramp=0.2))}
+    assert (told["motion.ramp"].value, told["motion.ramp"].text) == (0.2, "0.2 s")
     known = {a.name: a for a in assumptions(unknowns(CHEESE, fixed=parameters_of_the_setup()), conditions)}
     assert known["motion.height"].text == "5 mm"
     assert not known["motion.height"].sought

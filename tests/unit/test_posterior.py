@@ -44,7 +44,7 @@ def linear_rates(u) -> np.ndarray:
     return 300 + np.asarray(u) @ SLOPES.T
 
 
-def linear_engine(unknowns, u, conditions, *, observables=(), seed=0, progress=None) -> EngineRuns:
+def linear_engine(unknowns, u, conditions, *, handling=None, observables=(), seed=0, progress=None) -> EngineRuns:
     where = [round(c.frequency - 14) % len(CONDITIONS) for c in conditions]
     return EngineRuns(u, tuple(conditions), linear_rates(u)[:, where], np.zeros((len(u), len(conditions)), bool))
 

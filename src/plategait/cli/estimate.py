@@ -85,6 +85,13 @@ def _refuse_redundant(context: typer.Context, curves: list[Curve]) -> None:
     """Refuse what the curves tell themselves, point by point."""
     if all(c.angle_deg is not None and np.isfinite(c.angle_deg).all() for c in curves):
         refuse(context, ["angle"], "with curves that have a column angle_deg", "the file without that column")
+    for name, columns in (
+        ("duration", [c.duration for c in curves]),
+        ("slip_limit", [c.slip_limit for c in curves]),
+    ):
+        if all(x is not None and np.isfinite(x).all() for x in columns):
+            unit = {"duration": "s", "slip_limit": "mm"}[name]
+            refuse(context, [name], f"with curves that have a column {name}_{unit}", "the file without that column")
     rated = [np.isfinite(c.spin_rate_deg_s) for c in curves]
     if all((c.spin_rate_sd_deg_s[r] > 0).all() for c, r in zip(curves, rated, strict=True)):
         refuse(context, ["noise"], "with curves that have a column spin_rate_sd_deg_s", "the file without that column")

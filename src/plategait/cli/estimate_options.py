@@ -27,6 +27,7 @@ _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
 _HEIGHT = Quantity("m", "mm", "5 mm", at_least=-1, at_most=1)
 _TIME = Quantity("s", "s", "2 s", above=0)
+_RAMP = Quantity("s", "s", "0.1 s", at_least=0, at_most=1e3)
 
 
 @dataclass(frozen=True)
@@ -135,6 +136,12 @@ class MeasurementOptions:
     slip_limit: Annotated[str, typer.Option("--slip-limit", help="Slip at which the object counts as run off.")] = (
         f"{1e3 * USUAL.slip_limit:g} mm"
     )
+    ramp: Annotated[
+        str | None,
+        typer.Option(
+            "--ramp", help="How long the plate took to its full swing: 0.1 s. Any time up to 0.3 s if unknown."
+        ),
+    ] = None
     confidence: Annotated[str, typer.Option("--confidence", help="Of the intervals: 0.9 or 90%.")] = "90%"
 
     @property
@@ -162,6 +169,7 @@ class MeasurementOptions:
                 measured=setup.known,
                 thickness_sd=setup.thickness_sd,
                 confidence=options.read_share(self.confidence, "--confidence"),
+                ramp=None if self.ramp is None else _RAMP.read(self.ramp, "--ramp"),
                 seed=seed,
                 progress=progress,
             )

@@ -45,6 +45,8 @@ class Curve:
         Observables by name (`plategait.simulation.registry`), SI, where they are known.
     value_sds : mapping of str to (n,) array
         Standard deviation of each observable's values, SI, where it is known.
+    duration, slip_limit : (n,) arrays or None
+        How long each point was observed, s, and the slip at which the object counted as run off, m, where it is known.
     notes : tuple of str
         What the file that it was read from has that nothing reads, or that is probably not meant.
     """
@@ -63,6 +65,8 @@ class Curve:
     failed_runs: Array | None = None
     values: Mapping[str, Array] = field(default_factory=dict)
     value_sds: Mapping[str, Array] = field(default_factory=dict)
+    duration: Array | None = None
+    slip_limit: Array | None = None
     notes: tuple[str, ...] = ()
 
     @property

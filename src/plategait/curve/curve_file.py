@@ -31,6 +31,8 @@ _NUMBERS = {
                            also=("spin_rate_std", "rate_sd", "rate_std", "spin_sd", "sd", "std", "sigma", "±", "+/-")),
     "angle": Column("rad", "deg", required=False, above=0.0,
                     also=("plate_angle", "angular_amplitude", "angle_amplitude", "a_p", "ap")),
+    "duration": Column("s", required=False, above=0.0, also=("clip_duration", "observed_for")),
+    "slip_limit": Column("m", "mm", required=False, above=0.0),
     "runs": Column("", required=False, at_least=1.0),
     "failed_runs": Column("", required=False, at_least=0.0),
 }  # fmt: skip
@@ -61,7 +63,8 @@ def write_curve(curve: Curve, path: Path | str) -> None:
     with whole_file(path, (".csv",), "out") as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         observables = _written(curve)
-        writer.writerow([*COLUMNS, *(heading for heading, _ in observables)])
+        told = [(heading, x) for heading, x in _protocol(curve) if x is not None]
+        writer.writerow([*COLUMNS, *(heading for heading, _ in observables + told)])
         unknown = np.full(len(curve.failure), math.nan)
         runs, failed = (unknown if x is None else x for x in (curve.runs, curve.failed_runs))
         # Runs that agree to the last digit show no spread; none is known of the measurement.
@@ -74,10 +77,16 @@ def write_curve(curve: Curve, path: Path | str) -> None:
             curve.failure,
             runs,
             failed,
-            *(values for _, values in observables),
+            *(values for _, values in observables + told),
         )
         for row in zip(*columns, strict=True):
             writer.writerow([v if isinstance(v, str) else f"{v:.10g}" if math.isfinite(v) else "" for v in row])
+
+
+def _protocol(curve: Curve) -> tuple[tuple[str, NDArray[np.float64] | None], ...]:
+    """Heading and cells, in its unit, of how each point was measured."""
+    limit = None if curve.slip_limit is None else 1e3 * curve.slip_limit
+    return ("duration_s", curve.duration), ("slip_limit_mm", limit)
 
 
 def _written(curve: Curve) -> list[tuple[str, NDArray[np.float64]]]:
@@ -93,7 +102,8 @@ def _written(curve: Curve) -> list[tuple[str, NDArray[np.float64]]]:
 def read_curve(path: Path | str) -> Curve:
     """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known the other `COLUMNS`, angle_deg, observables.
 
-    The standard deviation of an observable ends in `_sd`: bending_amplitude_deg, bending_amplitude_sd_deg.
+    How each point was observed may stand in duration_s and slip_limit_mm. The standard deviation of an observable ends
+    in `_sd`: bending_amplitude_deg, bending_amplitude_sd_deg.
 
     Other units and names in the headings are read as well (see `plategait.files.table`), and what people write for a
     failure (`plategait.curve.outcome`). Empty cells are points without that knowledge. What is odd but may be meant is
@@ -129,6 +139,8 @@ def read_curve(path: Path | str) -> Curve:
         gait=tuple(o.gait for o in outcomes),
         failure=tuple(o.failure for o in outcomes),
         angle_deg=table.numbers.get("angle"),
+        duration=table.numbers.get("duration"),
+        slip_limit=table.numbers.get("slip_limit"),
         runs=runs,
         failed_runs=failed_runs,
         values={name: table[name] for name in observables if name in table.numbers},

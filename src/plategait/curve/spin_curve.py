@@ -59,7 +59,8 @@ def spin_curve(
     scenarios = [checked.replace(**{"motion.frequency": f}) for f in frequencies]
     simulations = simulate_all(scenarios, **options)
     curve = curve_of(checked.name, frequencies, [s.observations for s in simulations])
-    return fit_curve(replace(curve, simulations=tuple(simulations)))
+    observed, limit = (np.full(len(frequencies), x) for x in (checked.duration, checked.slip_limit))
+    return fit_curve(replace(curve, simulations=tuple(simulations), duration=observed, slip_limit=limit))
 
 
 def curve_of(name: str, frequencies: Sequence[float], observations: Sequence[Sequence[Observation]]) -> Curve:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from plategait.estimate.handling import SLOWEST_RAMP, Handling
 from plategait.estimate.observations import Condition
 from plategait.estimate.unknowns import BENDING_DAMPING, PLATE_HEIGHT, Unknown, Unknowns
 from plategait.model.outline import Disk
@@ -64,7 +65,7 @@ _SOUGHT = {"sheet.bending_damping": BENDING_DAMPING.name, "motion.height": PLATE
 
 
 def assumptions(
-    unknowns: Unknowns, conditions: Sequence[Condition], thickness_sd: float = 0.0
+    unknowns: Unknowns, conditions: Sequence[Condition], thickness_sd: float = 0.0, handling: Handling | None = None
 ) -> tuple[Assumption, ...]:
     """What an estimate of these unknowns assumes.
 
@@ -75,23 +76,33 @@ def assumptions(
         Plate motions that were measured, which tell the strokes.
     thickness_sd : float
         How well the thickness is known, m.
+    handling : Handling, optional
+        What of the measurement differs from point to point; the usual if left out.
     """
-    return tuple(_each(unknowns, conditions, thickness_sd))
+    return tuple(_each(unknowns, conditions, thickness_sd, handling or Handling()))
 
 
-def _each(unknowns: Unknowns, conditions: Sequence[Condition], thickness_sd: float) -> Iterator[Assumption]:
+def _each(
+    unknowns: Unknowns, conditions: Sequence[Condition], thickness_sd: float, handling: Handling
+) -> Iterator[Assumption]:
     base, by_name = unknowns.base, {p.name: p for p in unknowns.parameters}
     for name, label in _LABELS.items():
         if name == "sheet.outline.radius" and not isinstance(base.sheet.outline, Disk):
             yield Assumption("sheet.outline.shape", "outline", base.sheet.outline.shape, "", base.sheet.outline.shape)
             continue
         parameter = find_parameter(name, base)
-        value = value_of(base, name)
+        value = value_of(base, name) if name != "motion.ramp" or handling.ramp is None else handling.ramp
         text = parameter.text_of(value)
         if name == "sheet.thickness" and thickness_sd > 0:
             text = f"{text} ± {parameter.text_of(thickness_sd)}"
         if name == "motion.stroke":
             text = " and ".join(parameter.text_of(stroke) for stroke in sorted({c.stroke for c in conditions}))
+        if name == "motion.ramp" and handling.ramp is None:
+            text = f"not known, up to {parameter.text_of(SLOWEST_RAMP)}"
+        if name in ("duration", "slip_limit"):
+            of_points = {getattr(c, name) for c in conditions} - {0.0}
+            if len(of_points) > 1:
+                text = f"{parameter.text_of(min(of_points))} to {parameter.text_of(max(of_points))}"
         unknown = by_name.get(_SOUGHT.get(name, ""))
         if unknown is not None:
             text = f"sought, {_reach(unknown, text)}"

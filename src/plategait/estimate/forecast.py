@@ -129,7 +129,8 @@ def forecast_of(
     grid = [condition for amplitude in amplitudes for condition in _grid(amplitude)]
     readings = posterior.data.readings
     names = [r.name for r in readings]
-    runs = run_engine(posterior.unknowns, draws, grid, observables=names, seed=seed, progress=progress)
+    runs = run_engine(posterior.unknowns, draws, grid, handling=posterior.data.handling, observables=names, seed=seed,
+                      progress=progress)  # fmt: skip
     emulators = _Emulators.of(runs, amplitudes)
     median_noise = float(np.median(posterior.noise)) if noise is None else noise
     relative = np.array([median_noise if median_noise > 0 else USUAL_NOISE, *(r.relative for r in readings)])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -12,9 +12,12 @@ from numpy.typing import NDArray
 
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
+from plategait.curve.protocol import Protocol, measured_as
 from plategait.errors import InputError
+from plategait.estimate.handling import Handling
 from plategait.estimate.readings import Readings, gather, is_read, unused
 from plategait.model.motion import PlateMotion
+from plategait.model.scenario import Scenario
 
 MOST_CONDITIONS = 60
 LEAST_RATES = 3
@@ -24,16 +27,29 @@ FREQUENCY_STEP = 0.05
 
 @dataclass(frozen=True, order=True)
 class Condition:
-    """A plate motion: frequency (Hz), angular amplitude A_p (rad) and stroke B_p (m)."""
+    """A plate motion: frequency (Hz), angular amplitude A_p (rad) and stroke B_p (m); and how it was observed.
+
+    `duration` (s) and `slip_limit` (m) are 0 where they are as the scenario says.
+    """
 
     angle: float
     stroke: float
     frequency: float
+    duration: float = 0.0
+    slip_limit: float = 0.0
 
     def motion(self, like: PlateMotion) -> PlateMotion:
         """Plate motion of this condition, in all else like another."""
         moved: PlateMotion = like.replace(frequency=self.frequency, angle=self.angle, stroke=self.stroke)
         return moved
+
+    def applied(self, scenario: Scenario) -> Scenario:
+        """Scenario under this motion, observed as long and up to the slip that this point was."""
+        moved: Scenario = scenario.replace(motion=self.motion(scenario.motion))
+        if not self.duration and not self.slip_limit:
+            return moved
+        duration, limit = self.duration or scenario.duration, self.slip_limit or scenario.slip_limit
+        return measured_as(moved, Protocol(duration, scenario.measured_from, limit))
 
     @property
     def amplitude(self) -> tuple[float, float]:
@@ -81,6 +97,8 @@ class Observations:
         What was left out, and why, and what of the files is odd.
     readings : tuple of Readings
         What else was read of the object at those points.
+    handling : Handling
+        What of the measurement differs from point to point, unseen.
     """
 
     conditions: tuple[Condition, ...]
@@ -90,6 +108,7 @@ class Observations:
     failed: NDArray[np.bool_]
     notes: tuple[str, ...] = ()
     readings: tuple[Readings, ...] = ()
+    handling: Handling = field(default_factory=Handling)
 
     @property
     def rated(self) -> NDArray[np.bool_]:
@@ -130,7 +149,9 @@ class Observations:
         return brackets
 
 
-def observe_curves(curves: Sequence[Curve], motions: Sequence[PlateMotion]) -> Observations:
+def observe_curves(
+    curves: Sequence[Curve], motions: Sequence[PlateMotion], handling: Handling | None = None
+) -> Observations:
     """Points of one or several measured curves, each taken at the amplitudes of its motion.
 
     Rates beyond a curve's first failure are left out: such islands belong to another motion. A curve's rates count
@@ -172,12 +193,23 @@ def observe_curves(curves: Sequence[Curve], motions: Sequence[PlateMotion]) -> O
         np.array([p.failed for p in points], dtype=bool),
         tuple(notes),
         readings,
+        handling or Handling(),
     )
     different = len(set(data.which[data.rated].tolist()))
     if different < LEAST_RATES:
         raise InputError("curve", f"spin rates at {different} plate frequencies", f"at least {LEAST_RATES} of them",
                          "measuring at 14, 20 and 25 Hz")  # fmt: skip
     return data
+
+
+def _observed(curve: Curve, i: int) -> tuple[float, float]:
+    """Duration (s) and slip limit (m) of a curve's point, where it tells them: to two digits, else 0.
+
+    Clips of one length differ by a frame or two, which makes no other condition of them.
+    """
+    told = ((column[i] if column is not None else math.nan) for column in (curve.duration, curve.slip_limit))
+    duration, limit = (float(f"{value:.2g}") if math.isfinite(value) else 0.0 for value in told)
+    return duration, limit
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,7 +234,8 @@ def _points(curve: Curve, motion: PlateMotion) -> Iterator[_Point]:
         angle = motion.angle if math.isnan(angles[i]) else math.radians(angles[i])
         rate, sd = turn * float(curve.spin_rate_deg_s[i]), float(curve.spin_rate_sd_deg_s[i])
         if failed[i] or math.isfinite(rate) or is_read(curve, i):
-            yield _Point(Condition(angle, motion.stroke, float(frequency)), math.nan if failed[i] else rate,
+            yield _Point(Condition(angle, motion.stroke, float(frequency), *_observed(curve, i)),
+                         math.nan if failed[i] else rate,
                          sd if sd > 0 else math.nan, bool(failed[i]), curve, i)  # fmt: skip
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
-from plategait.estimate.emulator import SHARPEST_RUN_OFF
+from plategait.estimate.emulator import SHARPEST_RUN_OFF, RunOffEmulator
 from plategait.estimate.likelihood import Likelihood, learn
 from plategait.estimate.observations import Observations
 from plategait.estimate.particles import Particles, explore, folded, stratified
@@ -22,6 +22,9 @@ from plategait.estimate.runs import EngineRuns, run_engine
 from plategait.estimate.unknowns import Unknowns
 
 Progress = Callable[[float], object]
+
+# A run-off that a round leaves at least this share as wide is as sharp as it gets.
+NO_SHARPER = 0.8
 
 
 @dataclass(frozen=True)
@@ -140,8 +143,9 @@ def estimate_posterior(
 
     def run(u: Array, before: int) -> EngineRuns:
         report = None if progress is None else _part(progress, before, len(u), first + 2 * later)
-        names = [r.name for r in data.readings]
-        return run_engine(unknowns, u, data.conditions, observables=names, seed=seed, progress=report)
+        names, handling = [r.name for r in data.readings], data.handling
+        return run_engine(unknowns, u, data.conditions, handling=handling, observables=names, seed=seed + before,
+                          progress=report)  # fmt: skip
 
     def learn_from(runs: EngineRuns, near: NDArray[np.bool_]) -> _Round:
         likelihood = learn(data, runs, near, noise)
@@ -151,9 +155,9 @@ def estimate_posterior(
     latest = learn_from(runs, np.ones(first, dtype=bool))
     u = _promising(latest.particles, dimensions, later, generator)
     for _ in range(effort.most_rounds):
-        runs = latest.runs.joined(run(u, len(latest.runs.u)))
+        before, runs = latest, latest.runs.joined(run(u, len(latest.runs.u)))
         latest = learn_from(runs, _near(latest.likelihood, runs.u, effort.near))
-        if _emulates(latest, effort.good_enough, generator):
+        if _emulates(latest, before, effort.good_enough, generator):
             break
         u = _promising(latest.particles, dimensions, later, generator)
     full = _sample(latest, effort, generator)
@@ -166,8 +170,8 @@ def _part(progress: Progress, before: int, size: int, total: int) -> Progress:
     return lambda done: progress(min(1.0, (before + size * done) / total))
 
 
-def _emulates(latest: _Round, good_enough: float, generator: np.random.Generator) -> bool:
-    """Whether the emulators add little to what the measurement leaves open."""
+def _emulates(latest: _Round, before: _Round, good_enough: float, generator: np.random.Generator) -> bool:
+    """Whether the emulators add little to what the measurement leaves open, or a run-off gets no sharper."""
     likelihood, data = latest.likelihood, latest.likelihood.data
     parameters, noise = likelihood.split(latest.particles.resampled(1.0, 256, generator))
     spread = np.median(likelihood.spread(likelihood.predicted(parameters), noise), axis=0)
@@ -175,10 +179,18 @@ def _emulates(latest: _Round, good_enough: float, generator: np.random.Generator
     if not np.isfinite(error).all() or np.quantile(error / spread, 0.75) >= good_enough:
         return False
     return all(
-        emulator is not None and emulator.width < max(0.5 * (high - low), 2 * SHARPEST_RUN_OFF)
-        for emulator, (low, high) in ((likelihood.run_offs[a], bracket) for a, bracket in data.brackets().items())
+        _learnt(likelihood.run_offs[amplitude], before.likelihood.run_offs[amplitude], high - low)
+        for amplitude, (low, high) in data.brackets().items()
         if math.isfinite(high) and low > 0
     )
+
+
+def _learnt(run_off: RunOffEmulator | None, before: RunOffEmulator | None, bracket: float) -> bool:
+    """Whether a run-off is emulated as sharply as its bracket (Hz) asks, or as it is: chaos leaves it a width."""
+    if run_off is None:
+        return False
+    sharp = run_off.width < max(0.5 * bracket, 2 * SHARPEST_RUN_OFF)
+    return sharp or (before is not None and run_off.width > NO_SHARPER * before.width)
 
 
 def _near(likelihood: Likelihood, u: Array, within: float) -> NDArray[np.bool_]:

@@ -58,6 +58,7 @@ def predict(
                 progress((i + done) / len(amplitudes))
 
         names = [r.name for r in posterior.data.readings]
-        runs = run_engine(posterior.unknowns, u, conditions, observables=names, seed=seed, progress=report)
+        runs = run_engine(posterior.unknowns, u, conditions, handling=posterior.data.handling, observables=names,
+                          seed=seed, progress=report)  # fmt: skip
         predictions.append(Prediction(amplitude, grid, runs.rates, runs.failed, runs.values))
     return predictions

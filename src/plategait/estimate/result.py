@@ -14,9 +14,11 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
 from plategait.curve.curve_file import as_curve
+from plategait.curve.protocol import USUAL, Protocol, measured_as
 from plategait.errors import InputError
 from plategait.estimate.assumptions import Assumption, assumptions
 from plategait.estimate.goodness import Goodness, goodness_of_fit
+from plategait.estimate.handling import Handling
 from plategait.estimate.identifiability import CONFIDENCE, Marginal, marginal_of
 from plategait.estimate.observations import observe_curves
 from plategait.estimate.posterior import Posterior, estimate_posterior
@@ -31,6 +33,7 @@ from plategait.model.scenario import Scenario
 from plategait.units import Quantity
 
 _SHARE = Quantity("", "", "0.9")
+_RAMP = Quantity("s", "s", "0.1 s", at_least=0, at_most=1e3)
 
 LABELS = {
     "natural_frequency": "natural frequency ω_n",
@@ -90,7 +93,8 @@ class Estimate:
     @property
     def assumed(self) -> tuple[Assumption, ...]:
         """What of the set-up the numbers rest on."""
-        return assumptions(self.posterior.unknowns, self.posterior.data.conditions, self.thickness_sd)
+        data = self.posterior.data
+        return assumptions(self.posterior.unknowns, data.conditions, self.thickness_sd, data.handling)
 
     @property
     def answered(self) -> bool:
@@ -195,6 +199,7 @@ def estimate_parameters(
     measured: Mapping[str, tuple[float, float]] | None = None,
     thickness_sd: float = 0.0,
     confidence: float = CONFIDENCE,
+    ramp: float | None = None,
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
 ) -> Estimate:
@@ -224,6 +229,9 @@ def estimate_parameters(
         How well the scenario's thickness is known, m, for Young's modulus.
     confidence : float
         Of the intervals.
+    ramp : float, optional
+        Time in which the plate comes to its full swing, s. Not known if left out, whatever the scenario says: where an
+        object runs off depends on it.
     seed : int
         Of the sampling: the same data and seed give the same estimate.
     progress : callable, optional
@@ -241,7 +249,8 @@ def estimate_parameters(
     if motions is not None and len(motions) != len(curves):
         raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
                          "[scenario.motion]")  # fmt: skip
-    data = observe_curves(curves, motions or [scenario.motion] * len(curves))
+    data = observe_curves(curves, motions or [scenario.motion] * len(curves), Handling(ramp=_read_ramp(ramp)))
+    scenario = _observed_as(scenario, curves)
     parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed, measured=measured)
     posterior = estimate_posterior(data, parameters, noise=noise, seed=seed, progress=progress)
     marginals = tuple(marginal_of(p, posterior.u[:, i], confidence) for i, p in enumerate(parameters.parameters))
@@ -253,6 +262,25 @@ def _read_confidence(value: float) -> float:
     if not 0.5 <= confidence < 1:
         raise InputError("confidence", confidence, "at least 0.5 and below 1", "0.9")
     return confidence
+
+
+def _read_ramp(value: float | None) -> float | None:
+    return None if value is None else _RAMP.read(value, "ramp")
+
+
+def _observed_as(scenario: Scenario, curves: Sequence[Curve]) -> Scenario:
+    """Scenario run as long, and up to the slip, that most points of the curves were, where they tell it."""
+    told = [
+        np.concatenate([x for x in columns if x is not None] or [np.zeros(0)])
+        for columns in ([c.duration for c in curves], [c.slip_limit for c in curves])
+    ]
+    duration, limit = (
+        float(f"{np.nanmedian(x):.2g}") if np.isfinite(x).any() else default
+        for x, default in zip(told, (scenario.duration, scenario.slip_limit), strict=True)
+    )
+    if (duration, limit) == (scenario.duration, scenario.slip_limit):
+        return scenario
+    return measured_as(scenario, Protocol(duration, USUAL.transient, limit))
 
 
 def _read_noise(value: float | None) -> float | None:

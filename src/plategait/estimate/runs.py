@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from plategait.arrays import Array
 from plategait.estimate.emulator import brackets
+from plategait.estimate.handling import Handling
 from plategait.estimate.observations import Condition
 from plategait.estimate.unknowns import Unknowns
 from plategait.simulation.run import simulate_all
@@ -55,16 +56,33 @@ def run_engine(
     u: Array,
     conditions: Sequence[Condition],
     *,
+    handling: Handling | None = None,
     observables: Sequence[str] = (),
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
 ) -> EngineRuns:
-    """Run the engine at every parameter set (n, d) under every condition."""
-    scenarios = []
-    for values in unknowns.values(u):
-        scenario = unknowns.scenario(values)
-        scenarios += [scenario.replace(motion=c.motion(scenario.motion)) for c in conditions]
-    simulations = simulate_all(scenarios, seed=seed, progress=progress)
+    """Run the engine at every parameter set (n, d) under every condition.
+
+    Parameters
+    ----------
+    unknowns : Unknowns
+    u : (n, d) array
+        Parameters, as shares of their priors.
+    conditions : sequence of Condition
+    handling : Handling, optional
+        What differs from run to run besides; if left out, all is as the scenario says.
+    observables : sequence of str
+        What else is kept of each run.
+    seed : int
+        Of the differences in handling.
+    progress : callable, optional
+        Called with the fraction done.
+    """
+    scenarios = [c.applied(s) for s in map(unknowns.scenario, unknowns.values(u)) for c in conditions]
+    if handling is not None:
+        drawn = handling.drawn(len(u), len(conditions), np.random.default_rng(seed))
+        scenarios = [s.replace(**changes) for s, changes in zip(scenarios, drawn, strict=True)]
+    simulations = simulate_all(scenarios, progress=progress)
     shape = (len(u), len(conditions))
     rates = np.degrees([s.spin_rate for s in simulations]).reshape(shape)
     failed = np.array([s.failed for s in simulations]).reshape(shape)

@@ -190,6 +190,9 @@ def curve_of_clips(clips: list[Clip], name: str) -> Curve:
             "FOLDER", "clips of unknown plate frequency", "clips named by it", "24Hz.mp4, or --frequencies FILE"
         )
 
+    def seconds(clip: Clip) -> float:
+        return math.nan if clip.track is None else float(np.ptp(clip.track.time))
+
     def rates(of: Callable[[Track], float]) -> np.ndarray:
         return np.degrees([math.nan if c.track is None or c.failure else of(c.track) for c in placed])
 
@@ -200,4 +203,6 @@ def curve_of_clips(clips: list[Clip], name: str) -> Curve:
         spin_rate_sd_deg_s=rates(lambda t: (t.spin.high - t.spin.low) / (2 * 1.96)),
         gait=("",) * len(placed),
         failure=tuple(c.failure for c in placed),
+        duration=np.array([seconds(c) for c in placed]),
+        slip_limit=np.full(len(placed), USUAL.slip_limit),
     )
