@@ -44,7 +44,7 @@ def test_a_ramp_that_is_told_is_used():
     assert {d["motion.ramp"] for d in Handling(ramp=0.2).drawn(3, 2, np.random.default_rng(0))} == {0.2}
 
 
-@pytest.mark.parametrize(("ramp", "low", "high"), [(None, 0.6, 1.2), (0.1, 0.0, 0.2)])
+@pytest.mark.parametrize(("ramp", "low", "high"), [(None, 0.6, 1.2), (0.1, 0.2, 0.35)])
 def test_how_sharp_the_run_off_is_follows_from_what_is_not_known(monkeypatch, ramp, low, high):
     """An object that runs off 10 Hz later for each second of ramp: 3 Hz, evenly spread, have an sd of 0.87 Hz."""
 
@@ -57,7 +57,8 @@ def test_how_sharp_the_run_off_is_follows_from_what_is_not_known(monkeypatch, ra
     runs = run_engine(TWO, u, conditions, handling=Handling(ramp=ramp), seed=1)
     run_off = fit_run_off(u, *runs.brackets(conditions[0].amplitude), np.ones(80, bool))
     assert run_off is not None
-    # Ten coefficients learnt of eighty runs take a little of the scatter for their own.
+    # With the ramp told it is the least that is claimed, 1 % of the frequency. Ten coefficients learnt of eighty runs
+    # take a little of the scatter for their own.
     assert low < run_off.width < high
 
 

@@ -32,7 +32,7 @@ _NUMBERS = {
     "angle": Column("rad", "deg", required=False, above=0.0,
                     also=("plate_angle", "angular_amplitude", "angle_amplitude", "a_p", "ap")),
     "duration": Column("s", required=False, above=0.0, also=("clip_duration", "observed_for")),
-    "slip_limit": Column("m", "mm", required=False, above=0.0),
+    "slip_limit": Column("m", required=False, above=0.0),
     "runs": Column("", required=False, at_least=1.0),
     "failed_runs": Column("", required=False, at_least=0.0),
 }  # fmt: skip

@@ -18,9 +18,9 @@ LEAST_RUNS = 12
 # Parameters that move the rates less are drawn together by as much, to no less than this share: splines take near for
 # alike, and what hardly matters must not tell runs apart. It halves the errors of five unknowns.
 LEAST_RELEVANCE = 0.2
-# No run-off is known better than this, Hz: differently placed objects run off 0.03 Hz apart, and brackets a tenth of a
-# hertz wide show no polynomial its own errors of half that.
-SHARPEST_RUN_OFF = 0.06
+# No run-off is known better than to this share of its frequency, however wide the brackets that it is learnt from:
+# what differs unseen from one measurement to the next moves it by this or more (benchmarks/run_off_scatter.py).
+SHARPEST_RUN_OFF = 0.01
 # Runs that begin to fail elsewhere than their neighbours, on the far side of an island of stability: their share, and
 # the probability of any bracket among them.
 ODD_SHARE, ODD_PROBABILITY = 0.05, 0.05
@@ -190,9 +190,10 @@ def fit_run_off(u: Array, low: Array, high: Array, near: NDArray[np.bool_]) -> R
     middle = np.where(both, 0.5 * (low + high), np.where(low > 0, low, np.where(np.isfinite(high), high, 0.0)))
     start, *_ = np.linalg.lstsq(terms[both], middle[both], rcond=1e-2)
     spread = max(float(np.std(terms[both] @ start - middle[both])), 0.3)
+    sharpest = SHARPEST_RUN_OFF * float(np.median(middle[both]))
 
     def cost(x: Array) -> tuple[float, Array]:
-        centre, width = terms @ x[:-1], SHARPEST_RUN_OFF + math.exp(x[-1])
+        centre, width = terms @ x[:-1], sharpest + math.exp(x[-1])
         value, slope, by_width = _censored(centre, width, low, high)
         ridge = 1e-3 * x[1:-1]
         gradient = -np.append(terms.T @ slope, by_width * math.exp(x[-1]))
@@ -201,7 +202,7 @@ def fit_run_off(u: Array, low: Array, high: Array, near: NDArray[np.bool_]) -> R
 
     minimum = minimize(cost, np.append(start, math.log(spread)), jac=True, method="L-BFGS-B",
                      bounds=[(None, None)] * len(start) + [(math.log(1e-3), math.log(10.0))])  # fmt: skip
-    return RunOffEmulator(minimum.x[:-1], degree, SHARPEST_RUN_OFF + math.exp(minimum.x[-1]))
+    return RunOffEmulator(minimum.x[:-1], degree, sharpest + math.exp(minimum.x[-1]))
 
 
 def _censored(centre: Array, width: float, low: Array, high: Array) -> tuple[float, Array, float]:

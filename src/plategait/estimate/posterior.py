@@ -179,17 +179,17 @@ def _emulates(latest: _Round, before: _Round, good_enough: float, generator: np.
     if not np.isfinite(error).all() or np.quantile(error / spread, 0.75) >= good_enough:
         return False
     return all(
-        _learnt(likelihood.run_offs[amplitude], before.likelihood.run_offs[amplitude], high - low)
+        _learnt(likelihood.run_offs[amplitude], before.likelihood.run_offs[amplitude], low, high)
         for amplitude, (low, high) in data.brackets().items()
         if math.isfinite(high) and low > 0
     )
 
 
-def _learnt(run_off: RunOffEmulator | None, before: RunOffEmulator | None, bracket: float) -> bool:
+def _learnt(run_off: RunOffEmulator | None, before: RunOffEmulator | None, low: float, high: float) -> bool:
     """Whether a run-off is emulated as sharply as its bracket (Hz) asks, or as it is: chaos leaves it a width."""
     if run_off is None:
         return False
-    sharp = run_off.width < max(0.5 * bracket, 2 * SHARPEST_RUN_OFF)
+    sharp = run_off.width < max(0.5 * (high - low), 2 * SHARPEST_RUN_OFF * high)
     return sharp or (before is not None and run_off.width > NO_SHARPER * before.width)
 
 
