@@ -259,9 +259,7 @@ def answers(files) -> dict[str, object]:
     run = simulate(cheese, snapshot_interval=cheese.motion.period / 24)
     truth = film(run, files / "clip.mp4", usual_camera(cheese, 480, 270), 30.0, seconds=0.5)
     seen = track(files / "clip.mp4")
-    estimate = estimate_parameters(
-        files / "few.csv", cheese, noise=0.1, friction_ratio=0.53, fixed="natural_frequency"
-    )
+    estimate = estimate_parameters(files / "few.csv", cheese, noise=0.1, friction_ratio=0.53, fixed="natural_frequency")
     plan = SimpleNamespace(condition=SimpleNamespace(frequency=20.0, angle=0.1), runs_off=0.0, needed=None,
                            sd_now=dict.fromkeys(estimate.posterior.unknowns.names, 1.0),
                            sd_after=dict.fromkeys(estimate.posterior.unknowns.names, 0.5))  # fmt: skip
