@@ -80,6 +80,7 @@ def test_no_confident_wrong_answer(tmp_path: Path) -> None:
         result = track(tmp_path / "clip.mp4", SETUP)
         assert math.isnan(result.spin.rate), name
         assert result.spin.reason, name
+        assert not result.sure.any(), name
         assert result.summary()["spin_rate_deg_s"] is None
     draw(Clip(objects=2, seconds=0.5), tmp_path / "two.mp4")
     with pytest.raises(InputError, match="more than one object"):

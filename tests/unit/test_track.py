@@ -181,7 +181,14 @@ def test_the_plate_tells_its_tilt_its_frequency_and_the_lens() -> None:
     told = plate_swing(stamps_of(uneven), np.array(again), (0.1, 0.1), (319.5, 179.5))
     assert told.frequency == pytest.approx(24, abs=0.05)
     assert told.certain
-    # A hand that sways twenty times as far does not hide it.
+    # A hand that sways at 3 Hz, and further than the plate does, is not taken for it.
+    hand = np.array([[[1, 0, 30 * math.sin(19 * t)], [0, 1, 25 * math.cos(19 * t)], [0, 0, 1]] for t in uneven])
+    held = plate_swing(stamps_of(uneven), hand @ np.array(again), (0.1, 0.1), (319.5, 179.5))
+    assert held.frequency == pytest.approx(24, abs=0.05)
+    still = plate_swing(stamps_of(uneven), hand @ np.array([again[0]] * 90), (0.1, 0.1), (319.5, 179.5))
+    assert still.sways
+    assert not still.certain
+    # Nor does slow sway that is larger still hide it.
     sway = np.array([[[1, 0, 60 * math.sin(0.9 * t)], [0, 1, 40 * math.cos(1.3 * t)], [0, 0, 1]] for t in uneven])
     held = plate_swing(stamps_of(uneven), sway @ np.array(again), (0.1, 0.1), (319.5, 179.5))
     assert held.frequency == pytest.approx(24, abs=0.05)

@@ -14,15 +14,22 @@ from plategait.camera.fiducials import plate_target
 from plategait.errors import InputError
 from plategait.vision.frames import Frame, repeats
 from plategait.vision.lens import scaled_matrix, undistorter
+from plategait.vision.plate.fiducials import FiducialPlate
 from plategait.vision.plate.outline import OutlinePlate
 from plategait.vision.plate.rectified import Grid
 from plategait.vision.plate.swing import focal_of, poses
-from plategait.vision.plate.view import FiducialPlate, ScalePlate, homography, project, rigid
+from plategait.vision.plate.view import ScalePlate, homography, project, rigid
 
 CAMERA = camera_of(Clip())
 CORNERS = np.array([[-0.05, -0.05], [0.05, -0.05], [0.05, 0.05], [-0.05, 0.05]])
 # From middles of pixels of the plate's drawing to plate coordinates, m.
 TO_PLATE = np.array([[2e-4, 0, 1e-4 - SIDE / 2], [0, -2e-4, SIDE / 2 - 1e-4], [0, 0, 1]])
+
+
+def seen(luma: np.ndarray) -> Frame:
+    """A frame in grey."""
+    grey = np.full((luma.shape[0] // 2, luma.shape[1] // 2), 128, np.uint8)
+    return Frame(0, 0.0, luma, (grey, grey))
 
 
 def picture(H: np.ndarray, clip: Clip = Clip()) -> np.ndarray:  # noqa: B008
@@ -116,7 +123,7 @@ def test_the_plate_is_where_it_was_drawn(by: str) -> None:
     finder = FiducialPlate(target) if by == "fiducials" else OutlinePlate((SIDE, SIDE))
     for tilt in np.radians([-10.0, -4.0, 3.0, 8.0]):
         H = homography_of(CAMERA, tilt, 1e-3)
-        view = finder.find(picture(H, clip))
+        view = finder.find(seen(picture(H, clip)))
         assert view.reason == ""
         assert view.homography is not None
         quad, drawn = project(view.homography, CORNERS), project(H, CORNERS)
@@ -129,18 +136,18 @@ def test_the_plate_is_where_it_was_drawn(by: str) -> None:
 def test_fiducials_that_are_covered_make_a_view_uncertain() -> None:
     finder, H = FiducialPlate(plate_target(SIDE, SIDE, FIDUCIAL)), homography_of(CAMERA, 0.0, 0.0)
     whole = picture(H)
-    assert finder.find(whole).reason == ""
+    assert finder.find(seen(whole)).reason == ""
     covered = whole.copy()
     for corners in finder.target.corners[:3]:
         cv2.fillConvexPoly(
             covered, np.round(project(H, 1.5 * corners - 0.5 * corners.mean(axis=0))).astype(int), (200,)
         )
-    assert finder.find(covered).reason == "a single fiducial seen"
-    assert finder.find(np.full_like(whole, 90)).homography is None
+    assert finder.find(seen(covered)).reason == "a single fiducial seen"
+    assert finder.find(seen(np.full_like(whole, 90))).homography is None
 
 
 def test_a_known_scale_puts_the_origin_in_the_middle() -> None:
-    view = ScalePlate(2e-4, (640, 360), (0.1, 0.1)).find(np.zeros((360, 640), np.uint8))
+    view = ScalePlate(2e-4, (640, 360), (0.1, 0.1)).find(seen(np.zeros((360, 640), np.uint8)))
     assert view.homography is not None
     np.testing.assert_allclose(project(view.homography, np.array([[0, 0], [0.01, 0.02]])), [[320, 180], [370, 80]])
 

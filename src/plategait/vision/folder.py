@@ -173,6 +173,8 @@ def _unknown_frequency(plate: PlateSwing) -> str:
     if plate.aliases:
         seen = ", ".join(f"{f:.4g}" for f in sorted((plate.frequency, *plate.aliases)))
         return f"its plate frequency may be any of {seen} Hz, which look the same in these frames; {cure}"
+    if plate.sways:
+        return f"what sways at {plate.frequency:.4g} Hz in its picture may be the camera; {cure}"
     return f"its plate frequency is neither in the name nor to be seen; {cure}"
 
 

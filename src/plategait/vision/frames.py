@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import os
+import queue
+import threading
 import time as clock
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -20,14 +22,14 @@ from plategait.errors import InputError
 CHANGED_LEVELS = 4
 # Of the pixels each way, every so many is compared.
 CHANGED_STRIDE = 3
-# An interval this many times the usual one holds frames that are missing.
-MISSING = 1.5
 # Damaged frames after which a file is given up.
 MOST_DAMAGED = 50
 # A file that says it lasts longer than its frames by this has lost some, s.
 CUT_SHORT = 0.25
 # A picture that changes by less than this share of the usual change repeats the one before it.
 REPEATED = 0.03
+# Pictures of a live camera that may wait for whoever looks at them, bytes.
+MOST_WAITING = 150e6
 _WORKS = "clip.mp4"
 
 
@@ -72,7 +74,8 @@ class Video:
     ----------
     name : str
     width, height : int
-        Pixels; even, an odd last row or column is cut off.
+        Pixels; even, an odd last row or column is cut off. Of a film taken upright they change places with its first
+        frame.
     fps : float
         Frames per second that it says it was taken at; 0 where unknown.
     length : int
@@ -156,7 +159,9 @@ def _file(path: Path, fps: float | None, seconds: float | None) -> Iterator[Vide
             count, last = 0, 0.0
             pictures = _decoded(container, stream, video.notes)
             for moment, picture in _timed(pictures, nominal, slowed, seconds, video.notes):
-                yield _frame_of(picture, count, moment, width, height)
+                frame = _frame_of(picture, count, moment, width, height)
+                video.height, video.width = frame.luma.shape
+                yield frame
                 count, last = count + 1, moment
             if count == 0:
                 raise InputError("video", f"{path} (no picture in it)", "a video with at least one frame", _WORKS)
@@ -249,8 +254,12 @@ def _frame_of(picture: Any, index: int, time: float, width: int, height: int) ->
         np.frombuffer(plane, np.uint8).reshape(-1, plane.line_size)[: plane.height, : plane.width]
         for plane in picture.planes
     )
-    half = slice(height // 2), slice(width // 2)
-    return Frame(index, time, y[:height, :width], (u[half], v[half]))
+    y, u, v = y[:height, :width], u[: height // 2, : width // 2], v[: height // 2, : width // 2]
+    # A phone that is held upright stores pictures that lie, and how they are to be turned.
+    quarters = round(picture.rotation / 90) % 4
+    if quarters:
+        y, u, v = (np.ascontiguousarray(np.rot90(plane, quarters)) for plane in (y, u, v))
+    return Frame(index, time, y, (u, v))
 
 
 @contextmanager
@@ -265,26 +274,62 @@ def _camera(index: int, seconds: float) -> Iterator[Video]:
             int(device.get(code)) // 2 * 2 for code in (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT)
         )
 
-        def read(video: Video) -> Iterator[Frame]:
-            begun, count = clock.monotonic(), 0
-            while True:
-                taken, bgr = device.read()
-                moment = clock.monotonic() - begun
-                if not taken or moment > seconds:
-                    break
-                planes = cv2.cvtColor(bgr[:height, :width], cv2.COLOR_BGR2YUV_I420).astype(np.uint8, copy=False)
-                quarter = height * width // 4
-                flat = planes.ravel()
-                u = flat[height * width : height * width + quarter].reshape(height // 2, width // 2)
-                v = flat[height * width + quarter :].reshape(height // 2, width // 2)
-                yield Frame(count, moment, planes[:height], (u, v))
-                count += 1
-            if count == 0:
-                raise InputError("video", index, "a camera that gives pictures", _WORKS)
+        with _taken(device, seconds, int(MOST_WAITING / (3 * width * height))) as pictures:
 
-        yield Video(f"camera {index}", width, height, float(device.get(cv2.CAP_PROP_FPS)), 0, read)
+            def read(video: Video) -> Iterator[Frame]:
+                count = 0
+                for moment, bgr in pictures:
+                    planes = cv2.cvtColor(bgr[:height, :width], cv2.COLOR_BGR2YUV_I420).astype(np.uint8, copy=False)
+                    quarter = height * width // 4
+                    flat = planes.ravel()
+                    u = flat[height * width : height * width + quarter].reshape(height // 2, width // 2)
+                    v = flat[height * width + quarter :].reshape(height // 2, width // 2)
+                    yield Frame(count, moment, planes[:height], (u, v))
+                    count += 1
+                if count == 0:
+                    raise InputError("video", index, "a camera that gives pictures", _WORKS)
+
+            yield Video(f"camera {index}", width, height, float(device.get(cv2.CAP_PROP_FPS)), 0, read)
     finally:
         device.release()
+
+
+@contextmanager
+def _taken(device: Any, seconds: float, most: int) -> Iterator[Iterator[tuple[float, Any]]]:
+    """Pictures of a camera, each with its time from the first, s.
+
+    They are taken beside whoever looks at them, so that none waits in the camera while what the first ones show is
+    learnt. Where more than `most` wait, further ones are lost, which the times show.
+    """
+    waiting: queue.Queue[tuple[float, Any] | None] = queue.Queue(max(2, most))
+    enough = threading.Event()
+
+    def take() -> None:
+        first = math.nan
+        while not enough.is_set():
+            taken, bgr = device.read()
+            now = clock.monotonic()
+            first = now if math.isnan(first) else first
+            if not taken or now - first > seconds:
+                break
+            if not waiting.full():
+                waiting.put((now - first, bgr))
+        waiting.put(None)
+
+    def pictures() -> Iterator[tuple[float, Any]]:
+        while (item := waiting.get()) is not None:
+            yield item
+
+    hand = threading.Thread(target=take, daemon=True)
+    hand.start()
+    try:
+        yield pictures()
+    finally:
+        enough.set()
+        while hand.is_alive():  # it may wait for room to say that it has done
+            with suppress(queue.Empty):
+                waiting.get_nowait()
+            hand.join(0.01)
 
 
 def _compared(frames: Iterator[Frame]) -> Iterator[Frame]:

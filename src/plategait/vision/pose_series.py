@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,8 @@ from plategait.vision.spin import Spin, outliers, spin_of, unwrapped
 
 # Parallax smaller than this is not worth a note, deg.
 NOTED_TURN = 0.5
+# Turns from which on the lift of a rim marker and the object's turning are told apart.
+WHOLE_TURN = 1.0
 
 
 @dataclass(eq=False)
@@ -76,7 +78,13 @@ class PoseSeries:
         sure = self.sure
         for k in np.nonzero(sure)[0][outliers(self.time[sure], self.angle[sure], part, swing, fps)]:
             self.reason[k] = "out of line with the frames around it"
-        return spin_of(self.time, self.angle, self.sure, symmetry=symmetry, fps=fps, plate_frequency=swing)
+        freed = spin_of(self.time, self.angle, self.sure, symmetry=symmetry, fps=fps, plate_frequency=swing)
+        turns = abs(freed.rate) * float(np.ptp(self.time[sure])) / (2 * math.pi)
+        if not turns < WHOLE_TURN:
+            return freed
+        # Over a part of a turn a lift of the rim looks much like a turn: either rate may be right.
+        doubt = abs(freed.rate - spin.rate)
+        return replace(freed, low=freed.low - doubt, high=freed.high + doubt)
 
     def _unwrap(self, rate: float, symmetry: int) -> NDArray[np.intp]:
         """Join the sure angles over whole turns; gives the part that each belongs to."""

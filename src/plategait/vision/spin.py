@@ -104,6 +104,8 @@ def spin_of(
         Of the plate, Hz, as it is or as the camera sees it.
     """
     share = float(sure.mean()) if len(sure) else 0.0
+    if len(sure) < FEWEST_SURE:
+        return _no_rate(f"only {len(sure)} frames, and a rate takes {FEWEST_SURE}")
     if sure.sum() < FEWEST_SURE or share < LEAST_SHARE:
         return _no_rate(f"only {int(sure.sum())} of {len(sure)} frames are sure")
     t, phase = time[sure], symmetry * angle[sure]

@@ -4,29 +4,39 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from plategait.arrays import Array, Flags
+from plategait.camera.fiducials import CENTRE_MARKER, RIM_MARKER
 from plategait.files.plain import plain
 from plategait.vision.frames import Frame, open_video, repeats
-from plategait.vision.lens import scaled_matrix, undistorter
+from plategait.vision.lens import scaled_matrix
 from plategait.vision.object.pose import Pose
+from plategait.vision.plate.fiducials import BLURRED_FIDUCIALS
 from plategait.vision.plate.swing import UNSEEN, PlateSwing, plate_swing
 from plategait.vision.plate.view import PlateView, ScalePlate
-from plategait.vision.pose_reader import PoseReader
+from plategait.vision.pose_reader import PoseReader, learnt
 from plategait.vision.pose_series import PoseSeries
 from plategait.vision.setup import Setup
 from plategait.vision.spin import Spin, apparent_frequency
 from plategait.vision.stamps import Stamps, stamps_of
+from plategait.vision.survey import straight_frames
 
 # Successive frames at the end without the object that mean that it has gone, s.
 GONE = 0.5
 # Least turn of a texture that is the object's for sure, rad.
 LEAST_TURN = math.radians(10)
+# Why no frame is sure of a clip whose orientation gives no rate.
+NO_RATE = "no spin rate agrees with it"
+# Markers are like ours where the scales of both agree within this, of the logarithm; another scale than 1 is noted.
+LIKE_OURS, OTHER_SCALE = 0.12, 0.2
+# Share of the frames whose fiducials are blurred that is worth a note.
+LEAST_BLURRED = 0.1
 FrameCallback = Callable[[Frame, PlateView, Pose], object]
 
 
@@ -42,8 +52,11 @@ class Track:
     angle : (n,) array
         Orientation, rad, counter-clockwise, joined over whole turns on the sure frames; else as seen, or NaN.
     sure : (n,) bool array
+        Whether the orientation is; nowhere in a clip whose orientation gives no rate.
+    placed : (n,) bool array
+        Whether the middle is where it was seen.
     reason : tuple of str
-        Of each frame, why it is uncertain; empty where it is sure.
+        Of each frame, why its orientation is uncertain; empty where it is sure.
     method : str
         "markers", "texture" or "outline".
     symmetry : int
@@ -64,6 +77,7 @@ class Track:
     y: Array
     angle: Array
     sure: Flags
+    placed: Flags
     reason: tuple[str, ...]
     method: str
     symmetry: int
@@ -76,7 +90,7 @@ class Track:
     @property
     def drift(self) -> float:
         """Farthest that the middle, averaged over half a second, came from where it was at first, m."""
-        x, y, t = self.x[self.sure], self.y[self.sure], self.time[self.sure]
+        x, y, t = self.x[self.placed], self.y[self.placed], self.time[self.placed]
         if len(t) < 4:
             return math.nan
         bins = ((t - t[0]) / GONE).astype(int)
@@ -147,8 +161,7 @@ def track(
         When it is no video, shows no plate or no object, or shows several objects.
     """
     setup = setup or Setup()
-    reader = PoseReader(source, setup)
-    readings = _read_frames(source, setup, reader, follow, progress)
+    reader, readings = _read_frames(source, setup, follow, progress)
     notes = list(readings.notes)
     method = setup.object if setup.object in readings.poses else _better(readings.poses)
     stamps, repeated = stamps_of(np.array(readings.time)), repeats(np.array(readings.changes))
@@ -156,6 +169,7 @@ def track(
     time, fps = stamps.time, stamps.fps
     poses = PoseSeries.of(time, readings.poses[method], repeated)
     symmetry = _symmetry(reader, method, notes)
+    _note_marker_size(reader, notes)
     plate = _plate_swing(stamps, np.array(readings.views), repeated, reader, setup)
     agree = _note_frequency(setup.plate_frequency, plate, stamps, notes)
     frequency = setup.plate_frequency or (plate.frequency if plate.certain else math.nan)
@@ -165,12 +179,17 @@ def track(
     spin = poses.spin(symmetry, fps, swing if math.isfinite(swing) else None, eye, notes)
     if method != "markers":
         spin = _turning(spin, float(np.ptp(time)), method, symmetry)
-    sure = poses.sure
-    if not sure[time > time[-1] - GONE].any() and sure.any() and time[-1] - time[0] > 2 * GONE:
-        notes.append(f"the object is not seen after {time[sure][-1]:.2f} s")
+    placed = poses.sure
+    if math.isnan(spin.rate):
+        spin = replace(spin, reason=spin.reason + _mostly(poses.reason))
+        poses.reason = [reason or NO_RATE for reason in poses.reason]
+    if readings.blurred > LEAST_BLURRED * len(time):
+        notes.append(f"in {readings.blurred} frames the fiducials are blurred: a shorter exposure would make them sure")
+    if not placed[time > time[-1] - GONE].any() and placed.any() and time[-1] - time[0] > 2 * GONE:
+        notes.append(f"the object is not seen after {time[placed][-1]:.2f} s")
     return Track(
-        readings.name, time, poses.x, poses.y, poses.angle, sure, tuple(poses.reason), method, symmetry, fps, plate,
-        frequency, spin, tuple(notes),
+        readings.name, time, poses.x, poses.y, poses.angle, poses.sure, placed, tuple(poses.reason), method, symmetry,
+        fps, plate, frequency, spin, tuple(notes),
     )  # fmt: skip
 
 
@@ -184,33 +203,36 @@ class _Readings:
     views: list[Array]
     poses: dict[str, list[Pose]]
     notes: list[str]
+    blurred: int = 0
 
 
 def _read_frames(
     source: Path | str,
     setup: Setup,
-    reader: PoseReader,
     follow: FrameCallback | None,
     progress: Callable[[float], object] | None,
-) -> _Readings:
-    """Read every frame of a clip, one in memory at a time."""
+) -> tuple[PoseReader, _Readings]:
+    """Read every frame of a clip once: the first ones in memory, to learn from, all others one by one."""
     with open_video(source, fps=setup.fps, seconds=setup.seconds) as video:
+        frames = straight_frames(video, setup.calibration)
+        reader, survey, passed = learnt(frames, setup)
         readings = _Readings(video.name, [], [], [], {name: [] for name in reader.methods}, video.notes)
-        undistorted = undistorter(setup.calibration, video.width, video.height)
-        for frame in video.frames():
-            frame = undistorted(frame)
-            view, poses = reader.read(frame)
+        early = PlateView(None, "before plate and object were found")
+        known = [*((frame, early) for frame in passed), *zip(survey.frames, survey.views, strict=True)]
+        for frame, found in chain(known, ((frame, None) for frame in frames)):
+            view, poses = reader.read(frame, found)
             readings.time.append(frame.time)
             readings.changes.append(frame.change)
             H = view.homography
             readings.views.append(np.full((3, 3), math.nan) if H is None or view.reason else H)
+            readings.blurred += view.reason == BLURRED_FIDUCIALS
             for name, pose in poses.items():
                 readings.poses[name].append(pose)
-            if follow is not None:
+            if follow is not None and frame.luma.size:
                 follow(frame, view, next((p for p in poses.values() if not p.reason), next(iter(poses.values()))))
             if progress is not None and video.length and frame.index % 16 == 0:
                 progress(min(1.0, frame.index / video.length))
-    return readings
+    return reader, readings
 
 
 def _symmetry(reader: PoseReader, method: str, notes: list[str]) -> int:
@@ -222,6 +244,19 @@ def _symmetry(reader: PoseReader, method: str, notes: list[str]) -> int:
     if symmetry > 1:
         notes.append(f"the object looks the same after 1/{symmetry} of a turn")
     return symmetry
+
+
+def _note_marker_size(reader: PoseReader, notes: list[str]) -> None:
+    """Note markers shaped like ours but of another size: the plate may not be as large as was typed."""
+    if reader.markers is None or not reader.markers.appearance.long:
+        return
+    ours = np.array([math.prod(CENTRE_MARKER), math.prod(RIM_MARKER)])
+    scale = np.sqrt(reader.markers.appearance.areas / ours)
+    if abs(math.log(scale[0] / scale[1])) < LIKE_OURS and abs(math.log(scale.mean())) > OTHER_SCALE:
+        notes.append(
+            f"the object's markers look {scale.mean():.2f} times as large as those of plategait target: "
+            "if they are those, check --plate-size"
+        )
 
 
 def _plate_swing(stamps: Stamps, views: Array, repeated: Flags, reader: PoseReader, setup: Setup) -> PlateSwing:
@@ -248,6 +283,15 @@ def _turning(spin: Spin, duration: float, method: str, symmetry: int) -> Spin:
     return spin
 
 
+def _mostly(reasons: list[str]) -> str:
+    """Why most frames are uncertain, where half of them or more are."""
+    doubts = [r for r in reasons if r]
+    if len(doubts) < len(reasons) / 2:
+        return ""
+    commonest = max(sorted(set(doubts)), key=doubts.count)
+    return f"; most often: {commonest}"
+
+
 def _better(poses: dict[str, list[Pose]]) -> str:
     """Method with the most sure frames; the first of those as good."""
     counts = {name: sum(not p.reason for p in series) for name, series in poses.items()}
@@ -257,9 +301,13 @@ def _better(poses: dict[str, list[Pose]]) -> str:
 def _note_frequency(nominal: float | None, plate: PlateSwing, stamps: Stamps, notes: list[str]) -> bool:
     """Whether the plate's nominal frequency agrees with the observed one; note what does not, or may be otherwise."""
     seen = plate.frequency
-    if not math.isfinite(seen):
+    if not math.isfinite(seen) or (plate.sways and nominal is not None):
         return True
     if nominal is None:
+        if plate.sways:
+            notes.append(
+                f"the plate moves in the picture at {seen:.4g} Hz without tilting, as with a camera that sways"
+            )
         if plate.aliases:
             others = ", ".join(f"{f:.4g}" for f in plate.aliases)
             notes.append(f"the plate is seen at {seen:.4g} Hz; {others} Hz look the same in these frames")

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from plategait.arrays import Array, Picture
+from plategait.vision.frames import Frame
 from plategait.vision.plate.view import PlateView, homography, rigid
 
 # Shares of the picture that a plate's outline fills.
@@ -34,14 +35,23 @@ class OutlinePlate:
         x, y = size[0] / 2, size[1] / 2
         self._plate = np.array([[-x, -y], [x, -y], [x, y], [-x, y]])
 
-    def find(self, luma: Picture) -> PlateView:
+    def find(self, frame: Frame) -> PlateView:
         """Plate in a picture."""
-        quad = self._quadrilateral(luma)
+        quad = self._quadrilateral(frame.luma)
         if quad is None:
             return PlateView(None, "outline of the plate not found")
         self._corners = quad
+        return self._view(quad)
+
+    def again(self, view: PlateView) -> PlateView:
+        """Give the same view with what is known by now of the lens."""
+        return self._view(view.read[0]) if view.read else view
+
+    def _view(self, quad: Array) -> PlateView:
         H = homography(self._plate, quad)
-        return PlateView(H if H is None or self.lens is None else rigid(H, self._plate, quad, self.lens))
+        if H is not None and self.lens is not None:
+            H = rigid(H, self._plate, quad, self.lens)
+        return PlateView(H, "" if H is not None else "outline of the plate not found", {0: quad})
 
     def occupied(self) -> list[Array]:
         """Nothing is printed."""

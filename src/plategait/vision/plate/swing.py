@@ -19,8 +19,8 @@ FASTEST = 80.0
 TOLD_APART, RIVALS = 2.0, 12
 # A hand or a tripod is slower than this, s.
 SLOW = 0.7
-# Swings of the plate's corners smaller than this are noise, px.
-LEAST_SWING = 1.0
+# Swings of the plate's corners smaller than this are noise, px, and of its shape.
+LEAST_SWING, LEAST_SHAPE = 1.0, 0.3
 # Focal lengths over the picture's longer side that a camera has.
 SHORTEST_FOCAL, LONGEST_FOCAL = 0.4, 12.0
 
@@ -35,6 +35,8 @@ class PlateSwing:
         As the camera sees it, Hz: the true one or one that looks the same; NaN where none stands out.
     aliases : tuple of float
         Others up to 80 Hz that these frames do not tell from it, rising, Hz.
+    sways : bool
+        Whether the plate only moves in the picture, without a change of its shape: it may be the camera that does.
     tilt : float
         Amplitude A_p about the bar, rad; NaN where it cannot be known.
     eye : (n, 3) array or None
@@ -48,11 +50,12 @@ class PlateSwing:
     eye: Array | None
     focal: float
     aliases: tuple[float, ...] = ()
+    sways: bool = False
 
     @property
     def certain(self) -> bool:
         """Whether the plate's frequency is known from what was seen alone."""
-        return math.isfinite(self.frequency) and not self.aliases
+        return math.isfinite(self.frequency) and not self.aliases and not self.sways
 
 
 UNSEEN = PlateSwing(math.nan, math.nan, None, math.nan)
@@ -82,14 +85,14 @@ def plate_swing(
         return UNSEEN
     time = stamps.time
     H = np.linalg.inv(np.array([[1, 0, middle[0]], [0, 1, middle[1]], [0, 0, 1.0]])) @ views[visible]
-    frequency, aliases = _frequency(time[visible], _corners(H, size), stamps)
+    frequency, aliases, sways = _frequency(time[visible], _corners(H, size), stamps)
     focal = focal or focal_of(H, max(middle) * 2)
     if not focal:
-        return PlateSwing(frequency, math.nan, None, math.nan, aliases)
+        return PlateSwing(frequency, math.nan, None, math.nan, aliases, sways)
     R, t = poses(H, focal)
     eye = np.full((len(time), 3), math.nan)
     eye[visible] = -np.einsum("nji,nj->ni", R, t)
-    return PlateSwing(frequency, _tilt(time[visible], R, frequency), eye, focal, aliases)
+    return PlateSwing(frequency, _tilt(time[visible], R, frequency), eye, focal, aliases, sways)
 
 
 def focal_of(H: Array, longest: float) -> float | None:
@@ -161,26 +164,40 @@ def aliases_of(frequency: float, fps: float) -> tuple[float, ...]:
     return tuple(sorted(f for f in every if 0 < f <= FASTEST and abs(f - frequency) > 1e-3))
 
 
-def _frequency(time: Array, corners: Array, stamps: Stamps) -> tuple[float, tuple[float, ...]]:
-    """Frequency of the main swing of the corners, Hz, NaN where there is none; and those that fit about as well.
+def _frequency(time: Array, corners: Array, stamps: Stamps) -> tuple[float, tuple[float, ...], bool]:
+    """Frequency of the main swing of the corners, Hz, NaN where there is none; those that fit about as well; whether
+    it may be the camera's.
 
     Up to half the frame rate where frames come evenly. Where they do not, faster swings may be told from slow ones.
     """
     time, corners = time[:MOST_FRAMES], corners[:MOST_FRAMES]
+    # A camera that sways moves the plate in the picture; a plate that tilts changes its shape there.
+    shapes = _shapes(corners)
+    signals = (shapes - shapes.mean(axis=0), corners - _smoothed(time, corners), corners - np.median(corners, axis=0))
     found: list[tuple[float, float]] = []
-    # A hand's sway may be larger than the swing, but is slower.
-    for slow in (_smoothed(time, corners), np.median(corners, axis=0)):
-        swing = corners - slow
-        swing = swing @ np.linalg.svd(swing, full_matrices=False)[2][0]
+    for k, signal in enumerate(signals):
+        swing = signal @ np.linalg.svd(signal, full_matrices=False)[2][0]
         swing -= swing.mean()
-        if not found and np.std(swing) >= LEAST_SWING:
+        if np.std(swing) >= (LEAST_SHAPE if k == 0 else LEAST_SWING):
             found = _peaks(time, swing, stamps)
-    if not found:
-        return math.nan, ()
+        if found:
+            break
+    else:
+        return math.nan, (), False
     (best, left), *others = found
-    if stamps.even:
-        return best, aliases_of(best, stamps.fps)
-    return best, tuple(sorted(f for f, rest in others if rest < TOLD_APART * left))
+    alike = tuple(sorted(f for f, rest in others if rest < TOLD_APART * left))
+    return best, aliases_of(best, stamps.fps) if stamps.even else alike, k > 0
+
+
+def _shapes(corners: Array) -> Array:
+    """(n, 8) corners without their shift, size and turn in the picture: laid over their mean."""
+    z = corners[:, 0::2] + 1j * corners[:, 1::2]
+    z = z - z.mean(axis=1, keepdims=True)
+    laid, mean = z, z.mean(axis=0)
+    for _ in range(3):
+        laid = z * (z.conj() @ mean / np.sum(np.abs(z) ** 2, axis=1))[:, None]
+        mean = laid.mean(axis=0)
+    return np.concatenate([laid.real, laid.imag], axis=1)
 
 
 def _peaks(time: Array, swing: Array, stamps: Stamps) -> list[tuple[float, float]]:
