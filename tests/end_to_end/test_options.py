@@ -243,7 +243,7 @@ def answers(files) -> dict[str, object]:
     from plategait.estimate.result import estimate_parameters
     from plategait.model.presets import preset
     from plategait.optimize.optimize import optimize_motion
-    from plategait.optimize.search import Effort
+    from plategait.optimize.search import Effort, Generations
     from plategait.render.clip.clip import film, usual_camera
     from plategait.simulation.run import simulate
     from plategait.study.evaluation import Evaluation
@@ -271,7 +271,7 @@ def answers(files) -> dict[str, object]:
         "plategait.campaign.figures.plot_campaign": Figure(),
         "plategait.campaign.run.sweep": open_sweep(files / "done.zarr"),
         "plategait.optimize.optimize.optimize_motion": optimize_motion(
-            cheese.replace(duration=0.4), effort=Effort(first=8, population=6, generations=3, test=4)
+            cheese.replace(duration=0.4), effort=Effort(8, Generations(6, 3), Generations(6, 3), test=4)
         ),
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
         "plategait.study.source.study_source": SourceStudy(

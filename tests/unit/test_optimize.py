@@ -19,7 +19,7 @@ from plategait.optimize.optimize import optimize_motion
 from plategait.optimize.optimum import front
 from plategait.optimize.ranking import largest_chance, least_chance, ranks, runs_without_failure
 from plategait.optimize.report import summary
-from plategait.optimize.search import Effort, usual_effort
+from plategait.optimize.search import Effort, Generations, usual_effort
 from plategait.optimize.space import FREEDOMS, space_of
 from plategait.optimize.trials import Trial, costs_of
 from plategait.optimize.within import fitted
@@ -31,7 +31,7 @@ LIMITED = Machine(
     rx={"angle": "24 deg", "jerk": "2e7 deg/s^3", "torque": "0.05 N*m"},
     frequency="40 Hz", power="3 W", plate_mass="54 g", inertia_x=4.5e-5, inertia_y=4.5e-5, inertia_z=9e-5,
 )  # fmt: skip
-SMALL = Effort(first=16, population=6, generations=9, test=22)
+SMALL = Effort(first=16, at_rest=Generations(6, 9), freed=Generations(6, 9), test=22)
 
 
 def trial(rate=1.0, failed=0, lasted=1.0, runs=4, x=0.0, y=0.0, power=1.0, bending=0.1):
@@ -208,13 +208,13 @@ def test_the_top_is_found_from_any_seed(seed, in_place_of_the_engine):
     assert optimum.sound
     assert optimum.trial.spin_rate > 9.5  # of 10 at the top, and 9.9 where it begins to fail
     assert optimum.trial.motion.frequency == pytest.approx(25, rel=0.2)  # the top is flat: 4 % less at 20 % off
-    assert optimum.evaluations == optimum.chosen.runs <= 1.3 * usual_effort(3, 0.05, 0.9).expected
+    assert optimum.evaluations == optimum.chosen.runs <= 1.3 * usual_effort(optimum.space, 0.05, 0.9).expected(False)
 
 
 def test_a_rate_is_reached_at_the_least_cost(in_place_of_the_engine):
     optimum = optimize_motion("cheese", goal=Goal(spin=5.0, least="acceleration"), seed=3)
     assert optimum.reached
-    assert optimum.trial.spin_rate == pytest.approx(5.0, rel=0.05)
+    assert optimum.trial.spin_rate == pytest.approx(5.0, rel=0.03)
     fastest = optimize_motion("cheese", seed=3).trial
     assert optimum.trial.cost("acceleration") < 0.75 * fastest.cost("acceleration")
 
@@ -223,6 +223,26 @@ def test_what_cannot_be_reached_is_said_and_not_sound(in_place_of_the_engine):
     optimum = optimize_motion("cheese", goal=Goal(spin=50.0), seed=0, effort=SMALL)
     assert not optimum.reached
     assert not optimum.sound
+
+
+def test_freedoms_never_lose_and_tell_what_they_gain(in_place_of_the_engine):
+    optimum = optimize_motion("cheese", free=["offset", "harmonics"], seed=1, effort=SMALL, searches=2)
+    for found in optimum.found:
+        assert abs(found.proof.trial.spin_rate) >= abs(found.at_rest.trial.spin_rate)
+        assert found.at_rest.trial.motion.waves == ()
+        assert found.at_rest.trial.motion.offset.rx == 0
+    gain, half = optimum.gain
+    assert gain >= 0
+    s = summary(optimum)
+    assert s["gain_deg_s"] == pytest.approx(math.degrees(gain))
+    assert s["gain_interval_deg_s"][0] == pytest.approx(math.degrees(gain - half))
+
+
+def test_while_a_goal_is_loose_cost_counts_before_it():
+    order = [trial(5.3, power=2.0), trial(6.0, power=1.0)]
+    goal = Goal(spin=5.0, least="power")
+    np.testing.assert_array_equal(ranks(order, goal), [0, 1])
+    np.testing.assert_array_equal(ranks(order, goal, allowed=10.0), [1, 0])
 
 
 def test_a_killed_search_goes_on_with_the_same_numbers(in_place_of_the_engine, tmp_path, monkeypatch):

@@ -186,6 +186,7 @@ def _print(optimum: Optimum, s: dict[str, Any]) -> None:
         ["at a tenth of the step", _rate(s["confirmation"]) + ("" if s["confirmed"] else ": NOT CONFIRMED")],
         ["costs", _costs(s)],
         ["A_p ω_p² within a tenth of the fastest", _ridge(s["ridge_deg_s2"])],
+        *_gain(s),
         ["runs", str(s["evaluations"])],
     ])  # fmt: skip
     rows = [
@@ -226,6 +227,14 @@ def _sine(wave: dict[str, Any]) -> str:
 def _costs(s: dict[str, Any]) -> str:
     said = (("acceleration_m_s2", "m/s²"), ("torque_n_m", "N·m"), ("power_w", "W"), ("bending_deg", "deg of bending"))
     return ", ".join(f"{s[key]:.3g} {unit}" for key, unit in said if s[key] is not None)
+
+
+def _gain(s: dict[str, Any]) -> list[list[str]]:
+    """What the freedoms add, where some were asked for."""
+    if "gain_deg_s" not in s:
+        return []
+    low, high = s["gain_interval_deg_s"]
+    return [["gain by what was freed", f"{s['gain_deg_s']:.1f} deg/s, {low:.1f} to {high:.1f}"]]
 
 
 def _ridge(ends: list[float] | None) -> str:

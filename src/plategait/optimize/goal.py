@@ -34,7 +34,7 @@ bending
     Largest bending amplitude of the object, the mean over the runs.
 """
 
-SHARE, LEAST_VELOCITY, LEAST_RATE = 0.05, 5e-3, math.radians(5)
+SHARE, LEAST_VELOCITY, LEAST_RATE = 0.03, 5e-3, math.radians(5)
 """A velocity is reached within this share of it, and within as much in any case: m/s and rad/s."""
 _COMPONENTS = ("along", "across", "spin")
 

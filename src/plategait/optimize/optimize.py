@@ -104,15 +104,16 @@ def optimize_motion(
     if draws:
         generator = np.random.default_rng(seed)
         objects += [with_room(overlay(as_scenario(scenario), measured, generator), goal) for _ in range(draws)]
-    effort = effort or usual_effort(len(space.variables), chance_of_failure, confidence)
+    effort = effort or usual_effort(space, chance_of_failure, confidence)
     chances = {"permitted": chance_of_failure, "confidence": confidence}
     wanted = _identity(objects, space, [repr(goal), repr(effort), chances, searches, seed, engine])
-    tally = Tally(progress, searches * effort.expected + 2 * AROUND * len(space.variables) + CONFIRMED * FINER)
+    expected = searches * effort.expected(bool(free)) + 2 * AROUND * len(space.variables) + CONFIRMED * FINER
+    tally = Tally(progress, expected)
     with open_diary(Path(store) if store is not None else None, wanted) as diary:
         bench = Bench(tuple(objects[1:] or objects), shaker, seed, engine, diary, threads, tally)
         benches = [replace(bench, seed=seed + i) for i in range(searches)]
         found = tuple(search(space, goal, own, effort=effort, seed=own.seed, **chances) for own in benches)
-        best = best_of(found, goal).best
+        best = best_of(found, goal).proof.trial
         around = sensitivities(space, best, bench)
         (fine,) = bench.try_motions([(best.shares, best.motion)], CONFIRMED, _CONFIRMATION, finer=FINER)
     return Optimum(objects[0].replace(motion=best.motion), goal, shaker, space, found, sensitivities=around,

@@ -12,10 +12,12 @@ from plategait.model.machine import Machine
 from plategait.model.scenario import Scenario
 from plategait.model.scenario_file import write_scenario
 from plategait.optimize.goal import Goal
+from plategait.optimize.proof import standing
 from plategait.optimize.ranking import largest_chance, least_chance
 from plategait.optimize.search import Found
 from plategait.optimize.space import Space, Variable
 from plategait.optimize.trials import Trial, no_failure
+from plategait.simulation.observables import student_95
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,12 +76,12 @@ class Optimum:
     @property
     def trial(self) -> Trial:
         """The motion with the runs of its test, in none of which it was chosen."""
-        return self.chosen.best
+        return self.chosen.proof.trial
 
     @property
     def certain(self) -> bool:
         """Whether the chance of failure is bounded as asked for."""
-        return self.chosen.certain
+        return self.chosen.proof.certain
 
     @property
     def chance_of_failure(self) -> float:
@@ -119,6 +121,23 @@ class Optimum:
         return self.certain and self.reached and self.confirmed
 
     @property
+    def gain(self) -> tuple[float, float] | None:
+        """What the freedoms add to the spin rate, rad/s, with half its 95 % interval over the searches.
+
+        Of one search the interval is over the starts alone, and says nothing of how much luck the search had. None
+        without freedoms, or where no spin is sought.
+        """
+        pairs = [(each.proof.trial, each.at_rest.trial) for each in self.found if each.at_rest is not None]
+        if not pairs or not self.goal.fastest:
+            return None
+        gains = [abs(freed.spin_rate) - abs(rest.spin_rate) for freed, rest in pairs]
+        if len(pairs) == 1:
+            freed, rest = pairs[0]
+            return gains[0], math.hypot(freed.half_width[2], rest.half_width[2])
+        half = student_95(len(gains) - 1) * float(np.std(gains, ddof=1)) / math.sqrt(len(gains))
+        return float(np.mean(gains)), half
+
+    @property
     def evaluations(self) -> int:
         """Runs of all searches, heats and tests included."""
         return sum(found.runs for found in self.found)
@@ -134,15 +153,8 @@ class Optimum:
 
 
 def best_of(found: Sequence[Found], goal: Goal) -> Found:
-    """Search that found the best: of those whose test was passed and that reach the goal, the fastest or cheapest."""
-
-    def key(each: Found) -> tuple[bool, float, float]:
-        trial = each.best
-        if goal.fastest:
-            return not each.certain, 0.0, -abs(np.nan_to_num(trial.spin_rate))
-        return not each.certain, max(goal.deviation(trial.twist), 1.0), trial.cost(goal.cost)
-
-    return min(found, key=key)
+    """Search that found the best motion."""
+    return min(found, key=lambda each: standing(each.proof, goal))
 
 
 def front(trials: Sequence[Trial], cost: str) -> list[Trial]:

@@ -12,20 +12,27 @@ from plategait.optimize.goal import Goal
 from plategait.optimize.trials import Trial
 
 
-def ranks(trials: Sequence[Trial], goal: Goal) -> Array:
+def ranks(trials: Sequence[Trial], goal: Goal, allowed: float = 1.0) -> Array:
     """(n,) place of each trial, 0 for the best: what an evolution strategy may be told, which does not see NaN.
 
     Those none of whose runs failed come first: of a goal to reach, those that reach it by their cost, then the others
     by how far off they are. Then come those that failed, by how soon: those that lasted longest first. Last come those
     that show nothing to measure.
+
+    Parameters
+    ----------
+    trials : sequence of Trial
+    goal : Goal
+    allowed : float
+        Deviation up to which a goal counts as reached: 1 in the end, and more while a search may still look around.
     """
-    keys = [_key(trial, goal) for trial in trials]
+    keys = [_key(trial, goal, allowed) for trial in trials]
     places = np.empty(len(keys))
     places[sorted(range(len(keys)), key=keys.__getitem__)] = np.arange(len(keys))
     return places
 
 
-def _key(trial: Trial, goal: Goal) -> tuple[int, float, float]:
+def _key(trial: Trial, goal: Goal, allowed: float) -> tuple[int, float, float]:
     if trial.failed:
         return 2, -trial.lasted, 0.0
     if not trial.counted:
@@ -33,7 +40,7 @@ def _key(trial: Trial, goal: Goal) -> tuple[int, float, float]:
     if goal.fastest:
         return 0, -abs(trial.spin_rate), 0.0
     deviation = goal.deviation(trial.twist)
-    return (0, trial.cost(goal.cost), deviation) if deviation <= 1 else (1, deviation, 0.0)
+    return (0, trial.cost(goal.cost), deviation) if deviation <= allowed else (1, deviation, 0.0)
 
 
 def largest_chance(failed: int, runs: int, confidence: float) -> float:

@@ -12,6 +12,7 @@ from plategait.files.plain import plain
 from plategait.model.motion import PlateMotion
 from plategait.optimize.goal import COSTS
 from plategait.optimize.optimum import Optimum, Sensitivity, front
+from plategait.optimize.proof import Proof
 from plategait.optimize.search import Found
 from plategait.optimize.trials import Trial
 from plategait.units import Quantity, parse
@@ -40,6 +41,7 @@ def summary(optimum: Optimum) -> dict[str, Any]:
         "runs": trial.runs,
         "confirmed": optimum.confirmed,
         "confirmation": {**_shown(fine), "failed_runs": fine.failed, "runs": fine.runs},
+        **_gain(optimum),
         "variables": {v.name: _plain_range(v.low, v.high, v.quantity) for v in optimum.space.variables},
         "sensitivities": [_sensitivity(each) for each in optimum.sensitivities],
         "ridge_deg_s2": _ridge(optimum.trials),
@@ -104,11 +106,19 @@ def _costs(trial: Trial) -> dict[str, float]:
 
 
 def _point(trial: Trial) -> dict[str, Any]:
-    return {"spin_rate_deg_s": math.degrees(trial.spin_rate), **_motion(trial.motion), **_costs(trial)}
+    return {**_shown(trial), **_motion(trial.motion), **_costs(trial)}
 
 
 def _plain_range(low: float, high: float, quantity: Quantity) -> dict[str, Any]:
     return {"from": in_peoples(low, quantity), "to": in_peoples(high, quantity), "unit": quantity.display}
+
+
+def _gain(optimum: Optimum) -> dict[str, Any]:
+    """What the freedoms add to the spin rate, where some were asked for."""
+    if optimum.gain is None:
+        return {}
+    gain, half = map(math.degrees, optimum.gain)
+    return {"gain_deg_s": gain, "gain_interval_deg_s": [gain - half, gain + half]}
 
 
 def _sensitivity(each: Sensitivity) -> dict[str, Any]:
@@ -140,6 +150,11 @@ def _ridge(trials: Sequence[Trial]) -> list[float] | None:
 
 
 def _search(found: Found) -> dict[str, Any]:
-    trial = found.best
-    return {"seed": found.seed, **_shown(trial), **_motion(trial.motion), "failed_runs": trial.failed,
-            "runs": trial.runs, "tests": found.tests, "certain": found.certain, "evaluations": found.runs}  # fmt: skip
+    return {"seed": found.seed, **_proof(found.proof), "evaluations": found.runs,
+            "freedoms_at_rest": None if found.at_rest is None else _proof(found.at_rest)}  # fmt: skip
+
+
+def _proof(proof: Proof) -> dict[str, Any]:
+    trial = proof.trial
+    return {**_point(trial), "failed_runs": trial.failed, "runs": trial.runs, "tests": proof.tests,
+            "certain": proof.certain}  # fmt: skip

@@ -1,4 +1,4 @@
-"""The search: motions spread over the space, an evolution strategy from the best, heats of the favourites, a test.
+"""The search: motions spread over the space, an evolution strategy from the best, and a proof of what it finds.
 
 How many runs each part takes follows from the number of variables and from the chance of failure that is permitted; no
 number here was fitted to an object.
@@ -14,10 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import qmc
 
-from plategait.arrays import Array
+from plategait.arrays import Array, Flags
 from plategait.model.motion import PlateMotion
 from plategait.optimize.goal import Goal
-from plategait.optimize.ranking import largest_chance, ranks, runs_without_failure
+from plategait.optimize.proof import HEATS, Proof, better, prove
+from plategait.optimize.ranking import ranks, runs_without_failure
 from plategait.optimize.space import Space
 from plategait.optimize.strategy import evolution_strategy
 from plategait.optimize.trials import Bench, Trial
@@ -27,10 +28,33 @@ STARTS = (1, 1, 3)
 
 A motion on which the object stays does the same from every start, to a few per cent; uncertain is whether it stays.
 """
-HEATS = ((16, 4), (8, 8), (4, 16))
-"""Motions and runs of each in the heats: half of them go on to twice the runs, so that each heat costs the same."""
-MOST_ROUNDS, MOST_TESTS = 4, 2
-"""Rounds of heats at most, each of the next favourites, and tests in each."""
+LOOSE = 0.2
+"""Share of the spread that counts as reaching a goal at first."""
+# How far a strategy starts from the ends of the ranges.
+_EDGE = 0.02
+
+
+@dataclass(frozen=True)
+class Generations:
+    """How long an evolution strategy goes on.
+
+    Attributes
+    ----------
+    population, count : int
+        Motions of a generation, and generations.
+    """
+
+    population: int
+    count: int
+
+    def starts(self, generation: int) -> int:
+        """Runs of each motion of a generation, counted from 0."""
+        return STARTS[min(generation * len(STARTS) // self.count, len(STARTS) - 1)]
+
+    @property
+    def runs(self) -> int:
+        """Runs of all of them."""
+        return self.population * sum(self.starts(generation) for generation in range(self.count))
 
 
 @dataclass(frozen=True)
@@ -41,38 +65,35 @@ class Effort:
     ----------
     first : int
         Motions spread over the space, one run each.
-    population, generations : int
-        Of the evolution strategy.
+    at_rest, freed : Generations
+        Of the strategy with all freedoms at rest, and of the one with them; the latter alone where there are none.
     test : int
         Runs of the test, in none of which the object may fail.
     """
 
     first: int
-    population: int
-    generations: int
+    at_rest: Generations
+    freed: Generations
     test: int
 
-    @property
-    def expected(self) -> int:
-        """Runs of a search that passes its first test."""
-        third = [self.starts(g) for g in range(self.generations)]
-        heats = sum(motions * runs for motions, runs in HEATS)
-        return self.first + self.population * sum(third) + heats + self.test
-
-    def step(self, variables: int) -> float:
-        """How far the first generation goes, as a share of each range: half of what parts the spread's motions."""
-        return 0.5 * self.first ** (-1 / variables)
-
-    def starts(self, generation: int) -> int:
-        """Runs of each motion of a generation, counted from 0."""
-        return STARTS[min(generation * len(STARTS) // self.generations, len(STARTS) - 1)]
+    def expected(self, has_freedoms: bool) -> int:
+        """Runs of a search all of whose proofs succeed at once."""
+        proof = sum(motions * runs for motions, runs in HEATS) + self.test
+        return self.first + self.freed.runs + proof + (self.at_rest.runs + proof if has_freedoms else 0)
 
 
-def usual_effort(variables: int, permitted: float, confidence: float) -> Effort:
-    """Effort for a number of variables: the populations are those usual for CMA-ES, 4 + 3 ln d and even."""
-    further = max(variables - 3, 0)
-    population = max(8, 2 * math.ceil((4 + 3 * math.log(variables)) / 2))
-    return Effort(64 + 32 * further, population, 27 + 3 * further, runs_without_failure(permitted, confidence))
+def usual_generations(variables: int) -> Generations:
+    """Generations for a number of variables: the populations are those usual for CMA-ES, 4 + 3 ln d and even."""
+    population = max(8, 2 * math.ceil((4 + 3 * math.log(max(variables, 1))) / 2))
+    return Generations(population, 27 + 3 * max(variables - 3, 0))
+
+
+def usual_effort(space: Space, permitted: float, confidence: float) -> Effort:
+    """Effort for a space and what is to be bounded."""
+    variables, at_rest = len(space.variables), int(np.isnan(space.neutral).sum())
+    first = 64 + 32 * max(variables - 3, 0)
+    test = runs_without_failure(permitted, confidence)
+    return Effort(first, usual_generations(at_rest), usual_generations(variables), test)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,26 +102,20 @@ class Found:
 
     Attributes
     ----------
-    best : Trial
-        The best motion with the runs of its test alone, in none of which it was chosen.
-    certain : bool
-        Whether the test bounds its chance of failure as asked for.
+    proof : Proof
+        Of the best motion.
+    at_rest : Proof, optional
+        Of the best motion in which the freedoms that were asked for are at rest; None where there are none.
     trials : tuple of Trial
         All that was tried, in its order.
-    generations : tuple of (mean, step) of float arrays
-        Where the strategy was after each generation, and how far it went on each variable, in shares of the ranges.
-    tests : int
-        Tests made.
     runs : int
         All runs made.
     seed : int
     """
 
-    best: Trial
-    certain: bool
+    proof: Proof
+    at_rest: Proof | None
     trials: tuple[Trial, ...]
-    generations: tuple[tuple[Array, Array], ...]
-    tests: int
     runs: int
     seed: int
 
@@ -134,64 +149,69 @@ class _Search:
         self.runs = self.batch = 0
 
     def run(self) -> Found:
-        """All of it."""
+        """All of it: where freedoms were asked for, first with them at rest, and with them from the best of that."""
+        neutral = self.space.neutral
+        every, plain = np.ones(len(neutral), dtype=bool), ~np.isfinite(neutral)
         first = self._try(spread(self.space, self.effort.first, self.seed), 1)
-        start = self._ordered(first)[0].shares
-        dimension = len(start)
+        at_rest = None
+        if plain.any() and not plain.all():
+            rested = [trial for trial in first if (trial.shares == neutral)[~plain].all()]
+            last = self._evolve(rested, plain, self.effort.at_rest)
+            at_rest = self._proved([t for t in self.trials if (t.shares == neutral)[~plain].all()])
+            first = [trial for trial in first if (trial.shares != neutral)[~plain].any()] + last
+        self._evolve(first, every, self.effort.freed)
+        best = self._proved(self.trials)
+        if at_rest is not None and better(at_rest, best, self.goal):
+            best = at_rest
+        return Found(best, at_rest, tuple(self.trials), self.runs, self.seed)
+
+    def _evolve(self, first: Sequence[Trial], varies: Flags, generations: Generations) -> list[Trial]:
+        """Let a strategy go from the best of some trials in the variables (d,) that vary; gives its last generation."""
+        allowed = self._allowed(first, generations.count)
+        start = first[int(ranks(first, self.goal, allowed[0]).argmin())].shares
+        dimension = int(varies.sum())
+        # Half of what parts the spread's motions.
+        step = 0.5 * self.effort.first ** (-1 / dimension)
         strategy = evolution_strategy(
-            np.clip(start, 0.02, 0.98), self.effort.step(dimension), [0.0] * dimension, [1.0] * dimension,
-            self.effort.population, self.seed, "optimize",
+            np.clip(start[varies], _EDGE, 1 - _EDGE), step, [0.0] * dimension, [1.0] * dimension,
+            generations.population, self.seed, "optimize",
         )  # fmt: skip
-        generations = []
-        for generation in range(self.effort.generations):
+        made: list[Trial] = []
+        for generation in range(generations.count):
             asked = strategy.ask()
-            made = self._try([np.asarray(shares) for shares in asked], self.effort.starts(generation))
-            strategy.tell(asked, ranks(made, self.goal).tolist())
-            generations.append((np.array(strategy.result.xfavorite), np.array(strategy.result.stds)))
-        best, certain, tests = self._proved()
-        return Found(best, certain, tuple(self.trials), tuple(generations), tests, self.runs, self.seed)
+            whole = [start.copy() for _ in asked]
+            for shares, own in zip(whole, asked, strict=True):
+                shares[varies] = own
+            made = self._try(whole, generations.starts(generation))
+            strategy.tell(asked, ranks(made, self.goal, allowed[generation]).tolist())
+        return made
+
+    def _allowed(self, first: Sequence[Trial], count: int) -> Array:
+        """(count,) deviation up to which each generation counts a goal as reached.
+
+        At first so much that a fifth of the spread counts, so that the cheapest way is looked for before the goal is
+        narrowed down upon; in the last third only what is reached (the ε-constrained method of Takahama and Sakai).
+        """
+        stays = [self.goal.deviation(trial.twist) for trial in first if not trial.failed and trial.counted]
+        begin = max(1.0, float(np.quantile(stays, LOOSE))) if stays else 1.0
+        progress = np.arange(count) * len(STARTS) / (count * (len(STARTS) - 1))
+        return 1 + (begin - 1) * np.maximum(1 - progress, 0.0) ** 2
 
     def _try(self, shares: Sequence[Array], runs: int) -> list[Trial]:
         made = self._made([(each, self.space.at(each)) for each in shares], runs)
         self.trials += made
         return made
 
-    def _again(self, trials: Sequence[Trial], runs: int) -> list[Trial]:
-        return self._made([(trial.shares, trial.motion) for trial in trials], runs)
-
     def _made(self, asked: Sequence[tuple[Array, PlateMotion]], runs: int) -> list[Trial]:
         self.batch += 1
         self.runs += runs * len(asked)
         return self.bench.try_motions(asked, runs, self.batch)
 
-    def _proved(self) -> tuple[Trial, bool, int]:
-        """The best of all trials that passes heats and a test, all from fresh starts; else the least likely to fail.
+    def _proved(self, trials: Sequence[Trial]) -> Proof:
+        def again(some: Sequence[Trial], runs: int) -> list[Trial]:
+            return self._made([(trial.shares, trial.motion) for trial in some], runs)
 
-        Among so many trials some are lucky: what they showed chooses who runs, and is forgotten then.
-        """
-        order, tested = self._ordered(self.trials), []
-        for _ in range(MOST_ROUNDS):
-            favourites, order = order[: HEATS[0][0]], order[HEATS[0][0] :]
-            for trial in self._heats(favourites)[:MOST_TESTS]:
-                tested += self._again([trial], self.effort.test)
-                if largest_chance(tested[-1].failed, tested[-1].runs, self.confidence) <= self.permitted:
-                    return tested[-1], True, len(tested)
-            if not order:
-                break
-        tested = tested or self._again(self._ordered(self.trials)[:1], self.effort.test)
-        return min(tested, key=lambda trial: trial.failed), False, len(tested)
-
-    def _heats(self, favourites: Sequence[Trial]) -> list[Trial]:
-        """Favourites that no heat saw fail, the best first."""
-        heat = self._again(favourites, HEATS[0][1])
-        for motions, runs in HEATS[1:]:
-            left = [trial for trial in self._ordered(heat)[:motions] if trial.failed == 0]
-            more = self._again(left, runs) if left else []
-            heat = [trial.joined(other) for trial, other in zip(left, more, strict=True)]
-        return [trial for trial in self._ordered(heat) if trial.failed == 0 and trial.counted]
-
-    def _ordered(self, trials: Sequence[Trial]) -> list[Trial]:
-        return [trials[i] for i in np.argsort(ranks(trials, self.goal), kind="stable")]
+        return prove(trials, self.goal, again, self.effort.test, self.permitted, self.confidence)
 
 
 def spread(space: Space, count: int, seed: int) -> list[Array]:
@@ -205,5 +225,6 @@ def spread(space: Space, count: int, seed: int) -> list[Array]:
         generator = qmc.Sobol(len(space.variables), seed=np.random.default_rng(seed))  # pyright: ignore[reportCallIssue]
         shares = generator.random(count)
     neutral = space.neutral
-    at_rest = (np.arange(count) % 2 == 1)[:, None] & np.isfinite(neutral)[None]
+    has_plain = bool(np.isnan(neutral).any())
+    at_rest = (np.arange(count) % 2 == 1)[:, None] & np.isfinite(neutral)[None] & has_plain
     return list(np.where(at_rest, neutral[None], shares))
