@@ -27,7 +27,8 @@ _STAR: dict[str, Any] = {"marker": "*", "ms": 15, "mfc": ORANGE, "mec": "black",
 
 def plot_optimum(optimum: Optimum) -> Figure:
     """Every motion that was tried: in the plane of frequency and amplitude, over A_p ω_p², and over what it costs."""
-    costs = [name for name in known_costs(optimum.trial) if name in ("bending", optimum.goal.cost)] or ["bending"]
+    other = optimum.goal.cost if optimum.goal.cost != "bending" else "acceleration"
+    costs = [name for name in ("bending", other) if name in known_costs(optimum.trial)] or ["bending"]
     panels = 2 + len(costs)
     figure = new_figure(4.6 * min(panels, 2), 3.8 * math.ceil(panels / 2))
     axes = figure.subplots(math.ceil(panels / 2), 2, squeeze=False).ravel()

@@ -30,6 +30,8 @@ A motion on which the object stays does the same from every start, to a few per 
 """
 LOOSE = 0.2
 """Share of the spread that counts as reaching a goal at first."""
+SHORT = 0.05
+"""First steps from where another strategy ended, as a share of each range."""
 # How far a strategy starts from the ends of the ranges.
 _EDGE = 0.02
 
@@ -149,29 +151,34 @@ class _Search:
         self.runs = self.batch = 0
 
     def run(self) -> Found:
-        """All of it: where freedoms were asked for, first with them at rest, and with them from the best of that."""
+        """All of it: where freedoms were asked for, first with them at rest, then with them from the best there is."""
         neutral = self.space.neutral
         every, plain = np.ones(len(neutral), dtype=bool), ~np.isfinite(neutral)
         first = self._try(spread(self.space, self.effort.first, self.seed), 1)
-        at_rest = None
+        at_rest, last = None, []
         if plain.any() and not plain.all():
             rested = [trial for trial in first if (trial.shares == neutral)[~plain].all()]
             last = self._evolve(rested, plain, self.effort.at_rest)
             at_rest = self._proved([t for t in self.trials if (t.shares == neutral)[~plain].all()])
-            first = [trial for trial in first if (trial.shares != neutral)[~plain].any()] + last
-        self._evolve(first, every, self.effort.freed)
+            first = [trial for trial in first if (trial.shares != neutral)[~plain].any()]
+        self._evolve(first, every, self.effort.freed, last)
         best = self._proved(self.trials)
         if at_rest is not None and better(at_rest, best, self.goal):
             best = at_rest
         return Found(best, at_rest, tuple(self.trials), self.runs, self.seed)
 
-    def _evolve(self, first: Sequence[Trial], varies: Flags, generations: Generations) -> list[Trial]:
-        """Let a strategy go from the best of some trials in the variables (d,) that vary; gives its last generation."""
-        allowed = self._allowed(first, generations.count)
-        start = first[int(ranks(first, self.goal, allowed[0]).argmin())].shares
-        dimension = int(varies.sum())
-        # Half of what parts the spread's motions.
-        step = 0.5 * self.effort.first ** (-1 / dimension)
+    def _evolve(
+        self, first: Sequence[Trial], varies: Flags, generations: Generations, evolved: Sequence[Trial] = ()
+    ) -> list[Trial]:
+        """Let a strategy go from the best of a spread, or of what another ended with; gives its last generation.
+
+        Its first steps are half of what parts the motions of the spread, or short ones about where the other ended.
+        The variables (d,) that do not vary stay as they are there.
+        """
+        allowed, dimension = self._allowed(first, generations.count), int(varies.sum())
+        both = [*first, *evolved]
+        best = int(ranks(both, self.goal, allowed[0]).argmin())
+        start, step = both[best].shares, SHORT if best >= len(first) else 0.5 * self.effort.first ** (-1 / dimension)
         strategy = evolution_strategy(
             np.clip(start[varies], _EDGE, 1 - _EDGE), step, [0.0] * dimension, [1.0] * dimension,
             generations.population, self.seed, "optimize",
