@@ -1,6 +1,6 @@
 """Whether the intervals hold the truth and the check is silent, also on data of other models.
 
-``python -m benchmarks.coverage [--objects 60] [--model …] [--noise 0.01] [--unknown-noise] [--curves FILE]``
+``python -m benchmarks.coverage [--objects 60] [--model …] [--noise 0.01] [--model-error 1] [--curves FILE]``
 
 Objects over the source's whole range (those of ``benchmarks.recovery``) are simulated at twelve plate frequencies by
 our engine, by itself and with another friction law, with torsion, and by the rigid tiles; noise is laid on the rates,
@@ -70,11 +70,12 @@ def noisy(points: Points, noise: float, seed: int) -> dict[float, tuple[float, s
     return {float(f): (rate * (1 + noise * generator.normal()), kind) for f, (rate, kind) in points.items()}
 
 
-def trial(number: int, points: Points, noise: float, told: bool) -> Trial:
+def trial(number: int, points: Points, noise: float, told: bool, model_error: float) -> Trial:
     """Estimate one object."""
     truth, _ = true_object(number)
     curve = curve_of(noisy(points, noise, number))
-    return judged(estimate_parameters(curve, BASE, noise=noise if told else None, seed=number), truth)
+    told_noise = noise if told else None
+    return judged(estimate_parameters(curve, BASE, noise=told_noise, model_error=model_error, seed=number), truth)
 
 
 def judged(estimate: Estimate, truth: np.ndarray) -> Trial:
@@ -101,6 +102,7 @@ def main() -> None:
     parser.add_argument("--first", type=int, default=0, help="number of the first object")
     parser.add_argument("--model", choices=MODELS, action="append", help="only this one; repeatable")
     parser.add_argument("--noise", type=float, default=0.05)
+    parser.add_argument("--model-error", type=float, default=1.0, help="as `plategait estimate` takes it")
     parser.add_argument("--unknown-noise", action="store_true", help="the estimator is not told the noise")
     parser.add_argument("--curves", type=Path, help="file of rates without noise, written and read: .json")
     parser.add_argument("--only-curves", action="store_true", help="estimate nothing")
@@ -118,7 +120,8 @@ def main() -> None:
                 if arguments.curves:
                     arguments.curves.write_text(json.dumps(kept))
             if not arguments.only_curves:
-                trials.append(trial(number, kept[key], arguments.noise, not arguments.unknown_noise))
+                told = not arguments.unknown_noise
+                trials.append(trial(number, kept[key], arguments.noise, told, arguments.model_error))
                 if arguments.verbose:
                     print(number, true_object(number)[0], trials[-1], flush=True)
         if trials:

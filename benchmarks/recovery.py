@@ -102,7 +102,7 @@ def by_posterior(
 ) -> dict[str, Any]:
     """Estimate with the engine in the loop: median, spread, whether 90 % intervals hold the truth, and time."""
     begun = time.perf_counter()
-    estimate = estimate_parameters(curve, BASE, noise=NOISE, friction_ratio=friction_ratio, seed=seed)
+    estimate = estimate_parameters(curve, BASE, noise=NOISE, friction_ratio=friction_ratio, model_error=0, seed=seed)
     values = estimate.posterior.values / [p.scale for p in estimate.posterior.unknowns.parameters]
     low, middle, high = np.quantile(values, [0.05, 0.5, 0.95], axis=0)
     return {

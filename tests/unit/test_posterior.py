@@ -44,7 +44,9 @@ def linear_rates(u) -> np.ndarray:
     return 300 + np.asarray(u) @ SLOPES.T
 
 
-def linear_engine(unknowns, u, conditions, *, handling=None, observables=(), seed=0, progress=None) -> EngineRuns:
+def linear_engine(
+    unknowns, u, conditions, *, handling=None, observables=(), changed=None, seed=0, progress=None
+) -> EngineRuns:
     where = [round(c.frequency - 14) % len(CONDITIONS) for c in conditions]
     return EngineRuns(u, tuple(conditions), linear_rates(u)[:, where], np.zeros((len(u), len(conditions)), bool))
 
@@ -192,7 +194,9 @@ def test_parameters_that_move_the_rates_alike_are_correlated(monkeypatch):
 BENDS = np.random.default_rng(8).uniform(-0.1, 0.1, (len(CONDITIONS), 2))
 
 
-def bending_engine(unknowns, u, conditions, *, handling=None, observables=(), seed=0, progress=None) -> EngineRuns:
+def bending_engine(
+    unknowns, u, conditions, *, handling=None, observables=(), changed=None, seed=0, progress=None
+) -> EngineRuns:
     """Rates as those of the linear engine, and bending angles that are linear too."""
     assert list(observables) == ["bending_amplitude"]
     runs = linear_engine(unknowns, u, conditions)

@@ -27,6 +27,7 @@ _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
 _HEIGHT = Quantity("m", "mm", "5 mm", at_least=-1, at_most=1)
 _TIME = Quantity("s", "s", "2 s", above=0)
+_MODEL_ERROR = Quantity("", "", "1", at_least=0, at_most=10)
 _RAMP = Quantity("s", "s", "0.1 s", at_least=0, at_most=1e3)
 
 
@@ -142,6 +143,9 @@ class MeasurementOptions:
             "--ramp", help="How long the plate took to its full swing: 0.1 s. Any time up to 0.3 s if unknown."
         ),
     ] = None
+    model_error: Annotated[
+        str, typer.Option("--model-error", help="How far the model may be off: 1 as far as other models, 0 not at all.")
+    ] = "1"
     confidence: Annotated[str, typer.Option("--confidence", help="Of the intervals: 0.9 or 90%.")] = "90%"
 
     @property
@@ -170,6 +174,7 @@ class MeasurementOptions:
                 thickness_sd=setup.thickness_sd,
                 confidence=options.read_share(self.confidence, "--confidence"),
                 ramp=None if self.ramp is None else _RAMP.read(self.ramp, "--ramp"),
+                model_error=_MODEL_ERROR.read(self.model_error, "--model-error"),
                 seed=seed,
                 progress=progress,
             )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from plategait.cli import report
 
@@ -43,6 +43,8 @@ def print_estimate(result: Estimate, plan: Plan | None) -> None:
         print(f"{LABELS[a]} and {LABELS[b]} are correlated: {r:+.2f}")
     report.print_table("assumed of the set-up", ["", "taken as"], [[a.label, a.text] for a in result.assumed])
     report.print_notes(result.posterior.data.notes)
+    if result.model_error is not None:
+        print(_model_error_text(result.model_error))
     outliers = [f"{f:g} Hz" for f in result.goodness.outliers] + list(result.goodness.outlying_readings)
     if outliers:
         print(f"probably outliers, left out in effect: {', '.join(outliers)}")
@@ -50,6 +52,15 @@ def print_estimate(result: Estimate, plan: Plan | None) -> None:
         print(f"warning: not explained by any parameters: {complaint}")
     if plan is not None:
         _print_plan(result, plan)
+
+
+def _model_error_text(error: dict[str, Any]) -> str:
+    """What the model may be off by, in a line."""
+    parts = [
+        f"{c['label']} ({100 * c['rates']:.1f} % of the rates; the data take {c['taken']:+.1f} of it)"
+        for c in error["changes"]
+    ]
+    return f"the model may be off, which the intervals hold: {', '.join(parts)}, {100 * error['own']:.2g} % at random"
 
 
 def print_unexplained(written: Path | None, *, planned: bool) -> None:

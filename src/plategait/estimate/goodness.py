@@ -110,8 +110,9 @@ def goodness_of_fit(posterior: Posterior) -> Goodness:
     frequency = np.array([data.conditions[i].frequency for i in data.compared.condition])
     # Neighbours are of one quantity: errors of a rate and of a reading at one frequency have nothing to do.
     order = np.lexsort((frequency[counts], data.compared.quantity[counts]))
-    deviation = likelihood.deviations(draws)[:, counts][:, order]
-    chi2 = np.sum(deviation**2, axis=1)
+    deviation, amounts = likelihood.deviations(draws)
+    deviation = deviation[:, counts][:, order]
+    chi2 = np.sum(deviation**2, axis=1) + np.sum(amounts**2, axis=1)
     return Goodness(
         chi2=float(np.median(chi2)),
         inliers=int(counts.sum()),

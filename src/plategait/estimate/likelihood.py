@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
+from plategait.estimate.discrepancy import Discrepancy
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
 from plategait.estimate.observations import Observations
 from plategait.estimate.runs import EngineRuns
@@ -24,6 +25,8 @@ OUTLIER_SHARE = 0.02
 OUTLIER_SPREAD = 10.0
 # A run-off that no emulator foresaw: an island of stability, the plate knocked, the object cut unevenly.
 SURPRISE = 0.01
+# Rounds in which the amounts of the model's error and the weights of the outliers are brought together.
+REWEIGHTED = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,12 +42,15 @@ class Likelihood:
         Emulator by amplitude, None where the runs did not bracket the run-off.
     noise : float or None
         Relative noise where it is known and the data do not come with their own; None: the last parameter.
+    discrepancy : Discrepancy or None
+        Of the model; None takes it as right.
     """
 
     data: Observations
     rates: RateEmulator
     run_offs: dict[tuple[float, float], RunOffEmulator | None]
     noise: float | None
+    discrepancy: Discrepancy | None = None
 
     @property
     def noise_is_unknown(self) -> bool:
@@ -67,11 +73,15 @@ class Likelihood:
         return compared.quantity * len(self.data.conditions) + compared.condition
 
     def spread(self, predicted: Array, noise: Array) -> Array:
-        """Standard deviation (n, points) of the points about the prediction: measurement, chaos, emulator."""
+        """Standard deviation (n, points) of the points about the prediction: measurement, chaos, emulator, model.
+
+        The model's changes of known shape come on top: see `deviations`.
+        """
         own = self.data.compared.sd
         relative = np.hypot(noise[:, None] * predicted, LEAST_NOISE)
         measured = np.where(np.isfinite(own), own, relative)
-        return np.hypot(measured, self.error)
+        own = 0.0 if self.discrepancy is None else self.discrepancy.own[self._columns]
+        return np.hypot(np.hypot(measured, own * predicted), self.error)
 
     @property
     def error(self) -> Array:
@@ -83,23 +93,54 @@ class Likelihood:
         """Points (points,) that are emulated: where enough of the engine's runs stayed on the plate."""
         return np.isfinite(self.error)
 
-    def deviations(self, u: Array) -> Array:
-        """Deviations (n, points) of the points from the prediction of each sample, in units of their spread."""
-        parameters, noise = self.split(u)
-        predicted = self.predicted(parameters)
-        return (self.data.compared.value - predicted) / self.spread(predicted, noise)
+    def deviations(self, u: Array) -> tuple[Array, Array]:
+        """Deviations (n, points) of the points from the prediction, in units of their spread, and amounts (n, k).
+
+        The amounts of the model's changes are the likeliest for each sample; the squares of both add up to χ².
+        """
+        residuals = self._residuals(u)
+        return residuals.deviation, residuals.amounts
 
     def point_terms(self, u: Array) -> tuple[Array, Array]:
         """Log densities (n, points) of the points as inliers, and as outliers; shares taken in."""
-        parameters, noise = self.split(u)
-        predicted = self.predicted(parameters)
-        sd = self.spread(predicted, noise)
-        deviation = (self.data.compared.value - predicted) / np.where(self.emulated, sd, 1.0)
-        log_normal = -0.5 * deviation**2 - np.log(sd) - 0.5 * math.log(math.tau)
-        log_cauchy = -np.log1p((deviation / OUTLIER_SPREAD) ** 2) - np.log(OUTLIER_SPREAD * sd) - math.log(math.pi)
+        residuals = self._residuals(u)
+        return self._log_densities(residuals.deviation, residuals.spread)
+
+    def _log_densities(self, deviation: Array, spread: Array) -> tuple[Array, Array]:
+        log_normal = -0.5 * deviation**2 - np.log(spread) - 0.5 * math.log(math.tau)
+        log_cauchy = -np.log1p((deviation / OUTLIER_SPREAD) ** 2) - np.log(OUTLIER_SPREAD * spread) - math.log(math.pi)
         inlier = np.where(self.emulated, log_normal, 0.0) + math.log1p(-OUTLIER_SHARE)
         outlier = np.where(self.emulated, log_cauchy, -math.inf) + math.log(OUTLIER_SHARE)
         return inlier, outlier
+
+    def _residuals(self, u: Array) -> _Residuals:
+        """What is left of the points once the likeliest amounts of the model's changes are taken off."""
+        parameters, noise = self.split(u)
+        predicted = self.predicted(parameters)
+        spread = self.spread(predicted, noise)
+        usable = np.where(self.emulated, spread, 1.0)
+        off = (self.data.compared.value - predicted) / usable
+        if self.discrepancy is None:
+            return _Residuals(off, spread, np.zeros((len(u), 0)), np.zeros(len(u)))
+        change = self.discrepancy.changes(parameters)[:, :, self._columns] * (predicted / usable)[:, None, :]
+        return self._without_changes(off, spread, np.where(self.emulated, change, 0.0))
+
+    def _without_changes(self, off: Array, spread: Array, change: Array) -> _Residuals:
+        """Residuals (n, points) less what amounts of the changes (n, k, points) take off them, all in spreads.
+
+        Amounts have a standard normal prior. Outliers pull at none: each point counts by its odds of being an inlier.
+        """
+        deviation = off
+        amounts: Array = np.zeros(change.shape[:2])
+        precision = np.eye(change.shape[1])
+        for _ in range(REWEIGHTED):
+            inlier, outlier = self._log_densities(deviation, np.where(self.emulated, spread, 1.0))
+            counted = change / (1 + np.exp(np.clip(outlier - inlier, -50, 50)))[:, None, :]
+            precision = counted @ change.transpose(0, 2, 1) + np.eye(change.shape[1])
+            amounts = np.asarray(np.linalg.solve(precision, counted @ off[:, :, None])[:, :, 0], dtype=float)
+            deviation = off - np.einsum("nk,nkp->np", amounts, change)
+        _, log_precision = np.linalg.slogdet(precision)
+        return _Residuals(deviation, spread, amounts, -0.5 * np.sum(amounts**2, axis=1) - 0.5 * log_precision)
 
     def run_off_terms(self, u: Array) -> Array:
         """Log probability (n, amplitudes) that the object begins to run off where it did."""
@@ -115,15 +156,37 @@ class Likelihood:
 
     def __call__(self, u: Array) -> Array:
         """Log likelihood (n,) of samples (n, d or d + 1) of the unit cube."""
-        inlier, outlier = self.point_terms(u)
-        return np.logaddexp(inlier, outlier).sum(axis=1) + self.run_off_terms(u).sum(axis=1)
+        residuals = self._residuals(u)
+        inlier, outlier = self._log_densities(residuals.deviation, residuals.spread)
+        points = np.logaddexp(inlier, outlier).sum(axis=1) + residuals.log_amounts
+        return points + self.run_off_terms(u).sum(axis=1)
 
 
-def learn(data: Observations, runs: EngineRuns, near: NDArray[np.bool_], noise: float | None) -> Likelihood:
+@dataclass(frozen=True, eq=False)
+class _Residuals:
+    """Deviations (n, points) in units of their spread (n, points), and the amounts (n, k) of the model's changes.
+
+    `log_amounts` (n,) is what integrating over the amounts adds to the log likelihood at the likeliest ones.
+    """
+
+    deviation: Array
+    spread: Array
+    amounts: Array
+    log_amounts: Array
+
+
+def learn(
+    data: Observations,
+    runs: EngineRuns,
+    near: NDArray[np.bool_],
+    noise: float | None,
+    discrepancy: Discrepancy | None = None,
+) -> Likelihood:
     """Likelihood from the engine's runs; those `near` (n,) what was measured count most."""
     run_offs = {}
     for amplitude in data.brackets():
-        low, high = runs.brackets(amplitude)
-        run_offs[amplitude] = fit_run_off(runs.u, low, high, near)
-    columns = np.concatenate([runs.rates, *(runs.values[r.name] for r in data.readings)], axis=1)
-    return Likelihood(data, fit_rates(runs.u, columns, near), run_offs, noise)
+        emulator = fit_run_off(runs.u, *runs.brackets(amplitude), near)
+        if emulator is not None and discrepancy is not None:
+            emulator = replace(emulator, width=math.hypot(emulator.width, discrepancy.run_off(amplitude)))
+        run_offs[amplitude] = emulator
+    return Likelihood(data, fit_rates(runs.u, runs.columns(), near), run_offs, noise, discrepancy)

@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
+from plategait.estimate.discrepancy import Change, Discrepancy, measure_discrepancy
 from plategait.estimate.emulator import SHARPEST_RUN_OFF, RunOffEmulator
-from plategait.estimate.likelihood import Likelihood, learn
+from plategait.estimate.likelihood import LEAST_NOISE, Likelihood, learn
 from plategait.estimate.observations import Observations
 from plategait.estimate.particles import Particles, explore, folded, stratified
 from plategait.estimate.runs import EngineRuns, run_engine
@@ -25,6 +26,8 @@ Progress = Callable[[float], object]
 
 # A run-off that a round leaves at least this share as wide is as sharp as it gets.
 NO_SHARPER = 0.8
+# Relative noise with which the parameter sets that other models run too are told from the rest.
+ROUGHLY = 0.3
 
 
 @dataclass(frozen=True)
@@ -44,6 +47,8 @@ class Effort:
         Share of the measurement's own error below which the emulators' errors end the rounds.
     near : float
         Log likelihood below the best within which runs lie near what was measured: four standard deviations.
+    model_sets : int
+        Parameter sets that other models run too: of the first round, and again of the next.
     walkers, steps, burn_in, thin : int
         Of the sampler; steps of each walker, of which the first are left out, and of the rest all but every so many.
     """
@@ -54,6 +59,7 @@ class Effort:
     most_rounds: int = 3
     good_enough: float = 0.3
     near: float = 8.0
+    model_sets: int = 24
     walkers: int = 96
     steps: int = 400
     burn_in: int = 200
@@ -113,6 +119,7 @@ def estimate_posterior(
     unknowns: Unknowns,
     *,
     noise: float | None = None,
+    model_error: float = 0.0,
     seed: int = 0,
     progress: Progress | None = None,
     effort: Effort | None = None,
@@ -125,6 +132,8 @@ def estimate_posterior(
     unknowns : Unknowns
     noise : float, optional
         Relative noise of the rates that come without a spread of their own; estimated too if left out.
+    model_error : float
+        How far the model may be off, as a share of what other models change: see `plategait.estimate.discrepancy`.
     seed : int
         Of the sampling.
     progress : callable, optional
@@ -141,25 +150,34 @@ def estimate_posterior(
     dimensions = len(unknowns.parameters)
     first, later = effort.rounds(dimensions)
 
-    def run(u: Array, before: int) -> EngineRuns:
+    def run(u: Array, before: int, changed: Change | None = None) -> EngineRuns:
         report = None if progress is None else _part(progress, before, len(u), first + 2 * later)
         names, handling = [r.name for r in data.readings], data.handling
-        return run_engine(unknowns, u, data.conditions, handling=handling, observables=names, seed=seed + before,
-                          progress=report)  # fmt: skip
+        return run_engine(unknowns, u, data.conditions, handling=handling, observables=names, changed=changed,
+                          seed=seed + before, progress=report)  # fmt: skip
+
+    def compared_with_others(own: EngineRuns) -> Discrepancy:
+        return measure_discrepancy(lambda change: run(own.u, first, change), own, model_error)
 
     def learn_from(runs: EngineRuns, near: NDArray[np.bool_]) -> _Round:
-        likelihood = learn(data, runs, near, noise)
+        likelihood = learn(data, runs, near, noise, discrepancy)
         return _Round(runs, likelihood, explore(likelihood, dimensions + likelihood.noise_is_unknown, generator))
 
     runs = run(stratified(first, dimensions, generator), 0)
+    discrepancy = compared_with_others(runs.of(_like(data, runs, effort.model_sets))) if model_error > 0 else None
     latest = learn_from(runs, np.ones(first, dtype=bool))
     u = _promising(latest.particles, dimensions, later, generator)
-    for _ in range(effort.most_rounds):
-        before, runs = latest, latest.runs.joined(run(u, len(latest.runs.u)))
+    before = None
+    for later_round in range(effort.most_rounds):
+        runs = latest.runs.joined(run(u, len(latest.runs.u)))
         latest = learn_from(runs, _near(latest.likelihood, runs.u, effort.near))
+        if later_round == 0 and model_error > 0:  # compared anew, where the data are likely
+            likeliest = np.argsort(-_scores(latest.likelihood, runs.u), kind="stable")[: effort.model_sets]
+            discrepancy = compared_with_others(runs.of(likeliest))
+            latest = learn_from(runs, _near(latest.likelihood, runs.u, effort.near))
         if _emulates(latest, before, effort.good_enough, generator):
             break
-        u = _promising(latest.particles, dimensions, later, generator)
+        before, u = latest, _promising(latest.particles, dimensions, later, generator)
     full = _sample(latest, effort, generator)
     parameters, sampled_noise = latest.likelihood.split(full)
     return Posterior(unknowns, data, parameters, sampled_noise, latest.likelihood, latest.runs, full)
@@ -170,7 +188,7 @@ def _part(progress: Progress, before: int, size: int, total: int) -> Progress:
     return lambda done: progress(min(1.0, (before + size * done) / total))
 
 
-def _emulates(latest: _Round, before: _Round, good_enough: float, generator: np.random.Generator) -> bool:
+def _emulates(latest: _Round, before: _Round | None, good_enough: float, generator: np.random.Generator) -> bool:
     """Whether the emulators add little to what the measurement leaves open, or a run-off gets no sharper."""
     likelihood, data = latest.likelihood, latest.likelihood.data
     parameters, noise = likelihood.split(latest.particles.resampled(1.0, 256, generator))
@@ -179,7 +197,7 @@ def _emulates(latest: _Round, before: _Round, good_enough: float, generator: np.
     if not np.isfinite(error).all() or np.quantile(error / spread, 0.75) >= good_enough:
         return False
     return all(
-        _learnt(likelihood.run_offs[amplitude], before.likelihood.run_offs[amplitude], low, high)
+        _learnt(likelihood.run_offs[amplitude], before and before.likelihood.run_offs[amplitude], low, high)
         for amplitude, (low, high) in data.brackets().items()
         if math.isfinite(high) and low > 0
     )
@@ -195,12 +213,23 @@ def _learnt(run_off: RunOffEmulator | None, before: RunOffEmulator | None, low: 
 
 def _near(likelihood: Likelihood, u: Array, within: float) -> NDArray[np.bool_]:
     """Runs whose parameters lie near what was measured."""
-    if likelihood.noise_is_unknown:
-        levels = np.linspace(0.05, 0.95, 7)
-        scores = np.max([likelihood(np.column_stack([u, np.full(len(u), level)])) for level in levels], axis=0)
-    else:
-        scores = likelihood(u)
+    scores = _scores(likelihood, u)
     return scores > scores.max() - within
+
+
+def _scores(likelihood: Likelihood, u: Array) -> Array:
+    """Log likelihood (n,) of parameters (n, d), at the noise that suits each best."""
+    if not likelihood.noise_is_unknown:
+        return likelihood(u)
+    levels = np.linspace(0.05, 0.95, 7)
+    return np.max([likelihood(np.column_stack([u, np.full(len(u), level)])) for level in levels], axis=0)
+
+
+def _like(data: Observations, runs: EngineRuns, size: int) -> NDArray[np.int64]:
+    """Runs whose rates are roughly those measured, the likest first: another model may well make them so."""
+    rate, simulated = data.rate[data.rated], runs.rates[:, data.which[data.rated]]
+    off = np.abs(simulated - rate) / (ROUGHLY * np.abs(rate) + LEAST_NOISE)
+    return np.argsort(np.mean(np.where(np.isfinite(off), np.minimum(off, 3.0), 3.0), axis=1), kind="stable")[:size]
 
 
 def _promising(particles: Particles, dimensions: int, size: int, generator: np.random.Generator) -> Array:

@@ -33,6 +33,7 @@ from plategait.model.scenario import Scenario
 from plategait.units import Quantity
 
 _SHARE = Quantity("", "", "0.9")
+_MODEL_ERROR = Quantity("", "", "1", at_least=0, at_most=10)
 _RAMP = Quantity("s", "s", "0.1 s", at_least=0, at_most=1e3)
 
 LABELS = {
@@ -101,6 +102,24 @@ class Estimate:
         """Whether the data are explained and determine at least one parameter."""
         return self.goodness.explained and any(m.determined for m in self.marginals)
 
+    @property
+    def model_error(self) -> dict[str, Any] | None:
+        """What was allowed for, and how much of it the data take: plain numbers; None where the model is right."""
+        likelihood, full = self.posterior.likelihood, self.posterior.full
+        discrepancy = likelihood.discrepancy
+        if discrepancy is None:
+            return None
+        draws = full[:: max(1, len(full) // 500)]
+        taken = np.median(likelihood.deviations(draws)[1], axis=0).tolist()
+        rates = discrepancy.changes(likelihood.split(draws)[0])[:, :, : len(self.posterior.data.conditions)]
+        sizes = np.sqrt(np.mean(rates**2, axis=(0, 2))).tolist()
+        changes = [
+            {"instead": a.name, "label": a.label, "rates": size, "taken": amount}
+            for a, size, amount in zip(discrepancy.alternatives, sizes, taken, strict=True)
+        ]
+        own = float(np.median(discrepancy.own[: len(self.posterior.data.conditions)]))
+        return {"share": discrepancy.share, "changes": changes, "own": own}
+
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`; numbers that the gate withholds are None."""
         goodness = self.goodness
@@ -124,6 +143,7 @@ class Estimate:
             "outliers_hz": list(goodness.outliers),
             "outlying_readings": list(goodness.outlying_readings),
             "readings": {r.name: len(r.value) for r in self.posterior.data.readings},
+            "model_error": self.model_error,
             "notes": list(self.posterior.data.notes),
             "points": len(self.posterior.data.which),
             "runs": int(self.posterior.runs.rates.size),
@@ -200,6 +220,7 @@ def estimate_parameters(
     thickness_sd: float = 0.0,
     confidence: float = CONFIDENCE,
     ramp: float | None = None,
+    model_error: float = 1.0,
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
 ) -> Estimate:
@@ -232,6 +253,9 @@ def estimate_parameters(
     ramp : float, optional
         Time in which the plate comes to its full swing, s. Not known if left out, whatever the scenario says: where an
         object runs off depends on it.
+    model_error : float
+        How far the model may be off: 1 allows for about as much as another law of friction, joints that resist twisting
+        and rigid tiles change the curve, 0 takes the model as right. See `plategait.estimate.discrepancy`.
     seed : int
         Of the sampling: the same data and seed give the same estimate.
     progress : callable, optional
@@ -246,13 +270,15 @@ def estimate_parameters(
     scenario = as_scenario(scenario)
     free, fixed = ([name] if isinstance(name, str) else name for name in (free, fixed))
     confidence, noise = _read_confidence(confidence), _read_noise(noise)
+    ramp, model_error = _read_ramp(ramp), _read_model_error(model_error)
     if motions is not None and len(motions) != len(curves):
         raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
                          "[scenario.motion]")  # fmt: skip
-    data = observe_curves(curves, motions or [scenario.motion] * len(curves), Handling(ramp=_read_ramp(ramp)))
+    data = observe_curves(curves, motions or [scenario.motion] * len(curves), Handling(ramp=ramp))
     scenario = _observed_as(scenario, curves)
     parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed, measured=measured)
-    posterior = estimate_posterior(data, parameters, noise=noise, seed=seed, progress=progress)
+    posterior = estimate_posterior(data, parameters, noise=noise, model_error=model_error,
+                                   seed=seed, progress=progress)  # fmt: skip
     marginals = tuple(marginal_of(p, posterior.u[:, i], confidence) for i, p in enumerate(parameters.parameters))
     return Estimate(posterior, marginals, goodness_of_fit(posterior), confidence, thickness_sd)
 
@@ -281,6 +307,10 @@ def _observed_as(scenario: Scenario, curves: Sequence[Curve]) -> Scenario:
     if (duration, limit) == (scenario.duration, scenario.slip_limit):
         return scenario
     return measured_as(scenario, Protocol(duration, USUAL.transient, limit))
+
+
+def _read_model_error(value: float) -> float:
+    return _MODEL_ERROR.read(value, "model_error")
 
 
 def _read_noise(value: float | None) -> float | None:

@@ -14,6 +14,7 @@ from plategait.estimate.emulator import brackets
 from plategait.estimate.handling import Handling
 from plategait.estimate.observations import Condition
 from plategait.estimate.unknowns import Unknowns
+from plategait.model.scenario import Scenario
 from plategait.simulation.run import simulate_all
 
 
@@ -39,6 +40,15 @@ class EngineRuns:
     failed: NDArray[np.bool_]
     values: Mapping[str, Array] = field(default_factory=dict)
 
+    def columns(self) -> Array:
+        """(n, c + …) rates of every condition, and after them each observable's values at every condition."""
+        return np.concatenate([self.rates, *self.values.values()], axis=1)
+
+    def of(self, sets: NDArray[np.int64]) -> EngineRuns:
+        """Some of the parameter sets, by number."""
+        values = {name: of_all[sets] for name, of_all in self.values.items()}
+        return EngineRuns(self.u[sets], self.conditions, self.rates[sets], self.failed[sets], values)
+
     def joined(self, more: EngineRuns) -> EngineRuns:
         """Both, one after the other."""
         return EngineRuns(np.concatenate([self.u, more.u]), self.conditions, np.concatenate([self.rates, more.rates]),
@@ -58,6 +68,7 @@ def run_engine(
     *,
     handling: Handling | None = None,
     observables: Sequence[str] = (),
+    changed: Callable[[Scenario], Scenario] | None = None,
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
 ) -> EngineRuns:
@@ -73,12 +84,16 @@ def run_engine(
         What differs from run to run besides; if left out, all is as the scenario says.
     observables : sequence of str
         What else is kept of each run.
+    changed : callable, optional
+        What else is changed of each scenario: another model of the same object.
     seed : int
         Of the differences in handling.
     progress : callable, optional
         Called with the fraction done.
     """
     scenarios = [c.applied(s) for s in map(unknowns.scenario, unknowns.values(u)) for c in conditions]
+    if changed is not None:
+        scenarios = [changed(s) for s in scenarios]
     if handling is not None:
         drawn = handling.drawn(len(u), len(conditions), np.random.default_rng(seed))
         scenarios = [s.replace(**changes) for s, changes in zip(scenarios, drawn, strict=True)]
