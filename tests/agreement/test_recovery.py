@@ -70,7 +70,9 @@ def test_predictions_run_through_the_data(estimate):
     (prediction,) = predict(estimate.posterior)
     data = estimate.posterior.data
     inside, stays = data.rated & (data.frequency < 24), prediction.frequency < 25
-    at = np.interp(data.frequency[inside], prediction.frequency[stays], np.median(prediction.rates[:, stays], axis=0))
+    # A draw on a plate that starts at once may run off earlier than the rest; it has no rate from there on.
+    middle = np.nanmedian(prediction.rates[:, stays], axis=0)
+    at = np.interp(data.frequency[inside], prediction.frequency[stays], middle)
     # The grid's spacing costs about a percent where the curve bends most; the noise is 1 %.
     np.testing.assert_allclose(at, data.rate[inside], rtol=0.05)
 
