@@ -56,6 +56,8 @@ if TYPE_CHECKING:
     from plategait.model.scenario_file import read_scenario as read_scenario
     from plategait.model.scenario_file import write_scenario as write_scenario
     from plategait.model.sheet import Sheet as Sheet
+    from plategait.moves.atlas import Atlas as Atlas
+    from plategait.moves.atlas import atlas as atlas
     from plategait.optimize.goal import Goal as Goal
     from plategait.optimize.optimize import optimize_motion as optimize_motion
     from plategait.optimize.optimum import Optimum as Optimum
@@ -90,6 +92,7 @@ _HOMES = {
     "model.scenario": ("Plate", "Scenario", "Start"),
     "model.scenario_file": ("read_scenario", "write_scenario"),
     "model.sheet": ("Sheet",),
+    "moves.atlas": ("Atlas", "atlas"),
     "optimize.goal": ("Goal",),
     "optimize.optimize": ("optimize_motion",),
     "optimize.optimum": ("Optimum",),

@@ -81,6 +81,11 @@ OPTIMIZE = typed(
     chance_of_failure="10%", confidence="95%", searches="2", seed="3", engine="cpu64", store="runs", out="o.toml",
     plot="p.png", json="",
 )  # fmt: skip
+MOVES = typed(
+    machine="shaker.toml", free="phase,offset", cell_along="40 mm/s", cell_across="10 mm/s", cell_turn="90 deg/s",
+    duration="2 s", reach="10 mm", generations="2", seed="3", engine="cpu64", store="moved", out="o.json", plot="p.png",
+    json="",
+)  # fmt: skip
 
 MODES = [
     Mode(("simulate", *SHORT), RUN | typed(frequency="20 Hz", out="o.nc", filmstrip="s.png"), ("--seed", "--draws")),
@@ -98,6 +103,8 @@ MODES = [
     Mode(("optimize",), OPTIMIZE, ("--least", "--draws")),
     Mode(("optimize", "--spin", "2 rad/s"), typed(least="power", along="0 mm/s"), ()),
     Mode(("optimize", "--with", "measured.toml"), typed(draws="4"), ()),
+    Mode(("moves",), MOVES, ("--beside",)),
+    Mode(("moves", "--plot", "q.png"), typed(beside="six.json"), ()),
     Mode(("scenario",), typed(print="cheese", json="")),
     Mode(("scenario", "cheese"), JSON),
     Mode(("scenario", "--print", "cheese"), {}),
@@ -229,9 +236,20 @@ def files(tmp_path_factory) -> Path:
     (folder / "lens.json").write_text(json.dumps(lens))
     (folder / "table.csv").write_text("clip,frequency_hz\n20Hz,21\n")
     (folder / "shaker.toml").write_text('x = { acceleration = "50 m/s^2" }\nrx = { angle = "4 deg" }\n')
+    (folder / "six.json").write_text('{"machine": "six", "cells": [{"velocity_mm_s": [1, 2], "turn_deg_s": 3}]}')
     (folder / "clips").mkdir()
     film_cantilever(examples.K_B, examples.C_B, folder / "strip.mp4")
     return folder
+
+
+def small_atlas() -> object:
+    """An atlas of few motions."""
+    from plategait.moves import atlas as making
+
+    with pytest.MonkeyPatch.context() as patched:
+        for name, value in (("POPULATION", 8), ("_FIRST", 32), ("VERIFIED", 2), ("CONFIRMED", 2)):
+            patched.setattr(making, name, value)
+        return making.atlas(duration=0.3, generations=1)
 
 
 @pytest.fixture(scope="module")
@@ -273,6 +291,8 @@ def answers(files) -> dict[str, object]:
         "plategait.optimize.optimize.optimize_motion": optimize_motion(
             cheese.replace(duration=0.4), effort=Effort(8, Generations(6, 3), Generations(6, 3), test=4)
         ),
+        "plategait.moves.atlas.atlas": small_atlas(),
+        "plategait.moves.figures.plot_atlas": Figure(),
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
         "plategait.study.source.study_source": SourceStudy(
             learnt=Learnt(Evaluation((Choice({}),), np.ones((1, 3, 44, 3)), np.ones(1), np.zeros((1, 5))), ()),

@@ -14,6 +14,7 @@ from plategait.cli.curve import curve, fit
 from plategait.cli.estimate import estimate
 from plategait.cli.identify.commands import identify
 from plategait.cli.modes import modes
+from plategait.cli.moves import moves
 from plategait.cli.needs import needs_command
 from plategait.cli.optimize import optimize
 from plategait.cli.scenario import scenario_command
@@ -55,6 +56,7 @@ app.command(cls=Command)(fit)
 app.command(cls=Command)(modes)
 app.command(name="needs", cls=Command)(needs_command)
 app.command(cls=Command)(optimize)
+app.command(cls=Command)(moves)
 app.command(name="scenario", cls=Command)(scenario_command)
 app.command(cls=Command)(estimate)
 app.add_typer(identify, name="identify")

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from plategait.optimize.optimum import Optimum
 
 INTERRUPTED = 130
-_VELOCITY = Quantity("m/s", "mm/s", "100 mm/s")
-_RATE = Quantity("rad/s", "deg/s", "300 deg/s")
+VELOCITY = Quantity("m/s", "mm/s", "100 mm/s")
+RATE = Quantity("rad/s", "deg/s", "300 deg/s")
 _SLIP = Quantity("m", "mm", "15 mm", above=0, at_most=10)
 
 
@@ -51,7 +51,7 @@ class GoalOptions:
             typed = getattr(self, name)
             return None if typed is None else quantity.read(typed, name)
 
-        along, across, spin = read("along", _VELOCITY), read("across", _VELOCITY), read("spin", _RATE)
+        along, across, spin = read("along", VELOCITY), read("across", VELOCITY), read("spin", RATE)
         return Goal(along, across, spin, self.least)  # type: ignore[arg-type]
 
 

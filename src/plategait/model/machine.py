@@ -122,8 +122,21 @@ MACHINES: Mapping[str, Machine] = {
         # half a metre for the "long bar", which the two degrees of freedom do not feel.
         plate_mass="54 g", inertia_x=4.5e-5, inertia_y=4.5e-5, inertia_z=9.0e-5, arm="500 mm",
     ),
+    "planar": Machine(
+        name="planar", frequency="40 Hz", x=Sliding(stroke="3 mm"), y=Sliding(stroke="3 mm"), rz=Turning(angle="6 deg"),
+        plate_mass="54 g", inertia_x=4.5e-5, inertia_y=4.5e-5, inertia_z=9.0e-5,
+    ),
+    "six-axis": Machine(
+        name="six-axis", frequency="40 Hz", x=Sliding(stroke="3 mm"), y=Sliding(stroke="3 mm"),
+        z=Sliding(stroke="3 mm"), rx=Turning(angle="24 deg"), ry=Turning(angle="24 deg"), rz=Turning(angle="6 deg"),
+        plate_mass="54 g", inertia_x=4.5e-5, inertia_y=4.5e-5, inertia_z=9.0e-5,
+    ),
 }  # fmt: skip
-"""Machines by name. The source's robot slides 3 mm along its bar and turns it by 24 deg, up to 40 Hz."""
+"""Machines by name. The source's robot slides 3 mm along its bar and turns it by 24 deg, up to 40 Hz.
+
+`planar` and `six-axis` are nobody's: the source's plate on the degrees of freedom of the Universal Planar Manipulator
+(Reznik and Canny 1998) and of PPOD (Vose, Umbanhowar and Lynch 2009), with the source's amplitudes.
+"""
 
 
 def machine_of(told: Machine | Path | str, field: str = "machine") -> Machine:

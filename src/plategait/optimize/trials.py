@@ -24,7 +24,9 @@ from plategait.simulation.result import Simulation
 from plategait.simulation.run import simulate_all, starts
 
 COLUMNS = ("velocity_x", "velocity_y", "spin_rate", "bending", "lasted", "failed")
-"""What is kept of each run: SI, the share of its time before it failed, and whether it did."""
+"""What is kept of each run: SI, the share of its time before it failed, and whether it did; then what else is asked."""
+MOST_AT_ONCE = 512
+"""Runs that are made side by side: more bring no speed, and a megabyte of recordings each."""
 _BENDING, _LASTED, _FAILED = 3, 4, 5
 
 
@@ -40,7 +42,7 @@ class Trial:
     needed : mapping of str to float
         What it costs the machine (`plategait.optimize.goal.COSTS`), SI; NaN where the machine does not tell its masses.
     rows : (runs, columns) array
-        `COLUMNS` of each run; NaN where a failure left nothing to measure.
+        `COLUMNS` of each run, and what else was asked; NaN where a failure left nothing to measure.
     """
 
     shares: Array
@@ -84,6 +86,16 @@ class Trial:
         return self._counted[:, :3].std(axis=0, ddof=1) if self.counted > 1 else np.full(3, math.nan)
 
     @property
+    def twists(self) -> Array:
+        """(counted, 3) velocity of each run that did not fail, SI."""
+        return self._counted[:, :3]
+
+    @property
+    def further(self) -> Array:
+        """(counted, …) what else was asked of each run that did not fail."""
+        return self._counted[:, len(COLUMNS) :]
+
+    @property
     def half_width(self) -> Array:
         """(3,) half the 95 % interval of the mean velocity; NaN for fewer than two runs."""
         return student_95(max(self.counted - 1, 1)) * self.spread / math.sqrt(max(self.counted, 1))
@@ -118,6 +130,11 @@ class Tally:
     def __init__(self, progress: Callable[[float], object] | None, total: float) -> None:
         self._progress, self._total, self._done = progress, total, 0.0
 
+    @property
+    def done(self) -> float:
+        """Runs that were made."""
+        return self._done
+
     def add(self, runs: float) -> None:
         """Count runs that were made."""
         self._done += runs
@@ -128,6 +145,15 @@ class Tally:
             return None
         report = self._progress
         return lambda fraction: report(min((self._done + fraction * runs) / self._total, 1.0))
+
+
+Placing = Callable[[int, int], Sequence[tuple[float, float, float]]]
+"""Starts of so many runs with a seed: x, y and angle added to the scenario's own."""
+
+
+def near(runs: int, seed: int) -> Sequence[tuple[float, float, float]]:
+    """Starts that differ slightly. The first of an ensemble's is the nominal one, the same in every batch: left out."""
+    return starts(runs + 1, seed)[1:]
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,6 +172,10 @@ class Bench:
     threads : int, optional
     tally : Tally
         Told of the runs as they are made.
+    placing : callable
+        Where the runs of a motion start.
+    further : tuple of callable
+        What else is measured of each run.
     """
 
     objects: tuple[Scenario, ...]
@@ -155,6 +185,8 @@ class Bench:
     diary: Diary
     threads: int | None = None
     tally: Tally = field(default_factory=lambda: Tally(None, 1.0))
+    placing: Placing = near
+    further: tuple[Callable[[Simulation], float], ...] = ()
 
     @property
     def reach(self) -> float:
@@ -194,23 +226,33 @@ class Bench:
             ]
             if finer > 1:
                 scenarios = [scenario.replace(time_step=scenario.dt / finer) for scenario in scenarios]
-            made = simulate_all(scenarios, engine=kind, threads=self.threads, progress=self.tally.of(work))
-            rows = np.array([_row(run) for run in made])
+            rows = self._rows(scenarios, kind, finer)
             self.diary.tell(key, rows)
-        self.tally.add(work)
-        each = rows.reshape(len(asked), runs, len(COLUMNS))
+        else:
+            self.tally.add(work)
+        each = rows.reshape(len(asked), runs, -1)
         return [
             Trial(shares, motion, costs_of(motion, self.machine, self.reach), own)
             for (shares, motion), own in zip(asked, each, strict=True)
         ]
+
+    def _rows(self, scenarios: Sequence[Scenario], engine: Engine, finer: int) -> Array:
+        """What is kept of each run; no more of them at once than their recordings should take memory."""
+        rows: list[list[float]] = []
+        for first in range(0, len(scenarios), MOST_AT_ONCE):
+            some = scenarios[first : first + MOST_AT_ONCE]
+            work = float(len(some) * finer)
+            made = simulate_all(some, engine=engine, threads=self.threads, progress=self.tally.of(work))
+            rows += [_row(run) + [measure(run) for measure in self.further] for run in made]
+            self.tally.add(work)
+        return np.array(rows)
 
     def _set_up(self, runs: int, batch: int) -> list[Scenario]:
         """Objects where they start, for each run of a motion in a batch."""
         seed = seed_of(self.seed, batch)
         order = np.random.default_rng(seed).permutation(len(self.objects))
         scenarios = []
-        # The first of an ensemble's starts is the nominal one, which would be the same in every batch.
-        for i, (x, y, angle) in enumerate(starts(runs + 1, seed)[1:]):
+        for i, (x, y, angle) in enumerate(self.placing(runs, seed)):
             scenario = self.objects[order[i % len(order)]]
             at = scenario.start
             moved = {"start.x": at.x + x, "start.y": at.y + y, "start.angle": at.angle + angle}
