@@ -133,7 +133,14 @@ class Sheet:
         """Where points of the plate's frame are in its own, and how far below its upper side."""
         mx, my, c, s, up = self.pose
         x, y = x - mx, y - my
-        return c * x + s * y, c * y - s * x, up * self.film.shape(x, y) + np.float32(self.film.thickness) - z
+        below = up * self.film.shape(x, y) + np.float32(self.film.thickness) - z
+        if self.film.dish or self.film.fold:
+            # A sheet that bends does not stretch: seen from above it is shorter than along itself.
+            dish, fold = (np.float32(2 / 3) * (up * np.float32(h / self.film.radius**2)) ** 2
+                          for h in (self.film.dish, self.film.fold))  # fmt: skip
+            longer = 1 + dish * (x * x + y * y)
+            x, y = x * longer, y * (longer + fold * y * y)
+        return c * x + s * y, c * y - s * x, below
 
     def holds(self, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Whether points are inside it."""

@@ -6,13 +6,17 @@ import math
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from plategait.errors import InputError
+from plategait.vision.departure import Departure
+from plategait.vision.findings import Findings
 from plategait.vision.folder import clips_in, curve_of_clips, frequency_in_name, read_frequencies, track_folder
 from plategait.vision.plate.swing import UNSEEN, PlateSwing
 from plategait.vision.setup import Setup
 from plategait.vision.spin import Spin
+from plategait.vision.velocity import Velocity
 
 
 @pytest.mark.parametrize(
@@ -54,6 +58,9 @@ def test_each_clip_has_its_frequency_and_a_bad_one_costs_no_other(tmp_path, monk
         (tmp_path / name).touch()
     asked = {}
 
+    findings = Findings(np.zeros((1, 2)), np.zeros(1), None, "nothing seen", Velocity(1e-3, 2e-3, 196e-6, 392e-6),
+                        Departure("", math.nan, 0.001))  # fmt: skip
+
     def track(path, setup, progress):
         asked[path.name] = setup.plate_frequency
         progress(0.5)
@@ -63,7 +70,8 @@ def test_each_clip_has_its_frequency_and_a_bad_one_costs_no_other(tmp_path, monk
         seen = {"IMG_2": PlateSwing(16.0, 0.1, None, 900.0), "IMG_3": PlateSwing(10.0, 0.1, None, 900.0, (20.0, 40.0))}
         plate = seen.get(path.stem, UNSEEN)
         frequency = setup.plate_frequency or (plate.frequency if plate.certain else math.nan)
-        return SimpleNamespace(spin=rate, plate_frequency=frequency, plate=plate, drift=0.0, time=[0.0, 2.0])
+        seen_of_it = {"spin": rate, "failure": "", "findings": findings, "time": [0.0, 2.0]}
+        return SimpleNamespace(plate_frequency=frequency, plate=plate, **seen_of_it)
 
     monkeypatch.setattr("plategait.vision.folder.track", track)
     done = []
@@ -81,5 +89,8 @@ def test_each_clip_has_its_frequency_and_a_bad_one_costs_no_other(tmp_path, monk
     assert curve.frequency_hz.tolist() == [14.0, 15.0, 16.0, 18.0]
     assert curve.spin_rate_deg_s[:3] == pytest.approx(math.degrees(1.0))
     assert math.isnan(curve.spin_rate_deg_s[3])
+    assert curve.values["velocity_x"][0] == pytest.approx(1e-3)
+    assert curve.value_sds["velocity_y"][0] == pytest.approx(2e-4)
+    assert "radius" not in curve.of_object
     # The interval is that of 95 %: 1.96 standard deviations each way.
     assert curve.spin_rate_sd_deg_s[0] == pytest.approx(math.degrees(0.1) / 1.96)

@@ -50,12 +50,14 @@ def estimate(
 ) -> None:
     """Read stiffness and friction off measured spin curves, with intervals."""
     from plategait.curve.curve_file import read_curve
+    from plategait.estimate.size import sized_by_film
 
     check_outputs((output.out, (".toml",), "--out"), (output.plot, PICTURES, "--plot"))
     _refuse_idle(context, method, planning, output)
     base = setup.build()
     curves = [read_curve(path) for path in curve_files]
     _refuse_redundant(context, curves)
+    base, curves = sized_by_film(base, curves, told=setup.radius is not None)
     motions = setup.motions(base, len(curves))
     if method == "posterior":
         base = measured_as(base, measurement.protocol)

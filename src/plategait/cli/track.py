@@ -71,6 +71,13 @@ def print_track(result: Track) -> None:
         ["settled", "yes" if s["settled"] else "no"],
         ["looks the same at", _rates(s["indistinguishable_rates_deg_s"])],
         ["drift of the centre", number(s["drift_mm"], "mm")],
+        ["what became of it", f"{s['failure']} at {s['failure_time_s']:.2f} s" if s["failure"] else "stayed"],
+        ["radius", _with_half(s, "radius", "mm", 2)],
+        ["area", _with_half(s, "area", "mm2", 0)],
+        ["velocity along the bar", _with_half(s, "velocity_x", "mm_s", 2)],
+        ["velocity across the bar", _with_half(s, "velocity_y", "mm_s", 2)],
+        ["lift of the rim", _with_half(s, "rim_lift", "mm", 1)],
+        ["bending amplitude", _with_half(s, "bending_amplitude", "deg", 1)],
         ["followed by", s["method"] + (f", alike after 1/{s['symmetry']} turn" if s["symmetry"] > 1 else "")],
         ["sure frames", f"{s['sure_frames']} of {s['frames']}, {number(s['fps'], 'per second', 2)}"],
         ["plate frequency", _plate_frequency(s)],
@@ -80,8 +87,20 @@ def print_track(result: Track) -> None:
     report.print_table(s["clip"], ["", ""], rows)
     if s["no_spin_rate"]:
         print(f"no spin rate: {s['no_spin_rate']}")
+    for what, reason in (("outline", s["no_outline"]), ("lift of the rim", s["no_rim_lift"])):
+        if reason and not (what != "outline" and s["no_outline"]):
+            print(f"no {what}: {reason}")
     for note in s["notes"]:
         print(note)
+
+
+def _with_half(s: dict[str, Any], name: str, unit: str, digits: int) -> str:
+    """A number with half its 95 % interval."""
+    value, interval = s[f"{name}_{unit}"], s[f"{name}_interval_{unit}"]
+    if value is None:
+        return "–"
+    spoken = {"mm2": "mm²", "mm_s": "mm/s"}.get(unit, unit)
+    return f"{value:.{digits}f} ± {interval[1] - value:.{max(digits, 1)}f} {spoken}"
 
 
 def _rates(rates: list[float]) -> str:

@@ -47,6 +47,9 @@ class Curve:
         Standard deviation of each observable's values, SI, where it is known.
     duration, slip_limit : (n,) arrays or None
         How long each point was observed, s, and the slip at which the object counted as run off, m, where it is known.
+    of_object : mapping of str to (n,) array
+        What a film shows of the object itself: radius (of a circle with its area), area; with `_sd` their standard
+        deviations; SI.
     notes : tuple of str
         What the file that it was read from has that nothing reads, or that is probably not meant.
     """
@@ -67,6 +70,7 @@ class Curve:
     value_sds: Mapping[str, Array] = field(default_factory=dict)
     duration: Array | None = None
     slip_limit: Array | None = None
+    of_object: Mapping[str, Array] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
 
     @property

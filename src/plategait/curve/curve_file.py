@@ -18,6 +18,7 @@ from plategait.files.output import whole_file
 from plategait.files.table import Table, read_table
 from plategait.simulation.observables import FAILURES, GAITS
 from plategait.simulation.registry import all_observables
+from plategait.units import parse
 
 COLUMNS = ("frequency_hz", "spin_rate_deg_s", "spin_rate_sd_deg_s", "gait", "failure", "runs", "failed_runs")
 """Of every file; observables follow."""
@@ -36,6 +37,8 @@ _NUMBERS = {
     "runs": Column("", required=False, at_least=1.0),
     "failed_runs": Column("", required=False, at_least=0.0),
 }  # fmt: skip
+# Of the object itself, as a film shows it: SI unit, and the one that people read.
+_OF_OBJECT = {"radius": ("m", "mm"), "area": ("m^2", "mm^2")}
 _WORDS = {
     "gait": ("gaits",),
     "failure": ("failed", "fail", "fails", "status", "state", "outcome", "result", "ran_off", "run_off", "runoff",
@@ -90,12 +93,16 @@ def _protocol(curve: Curve) -> tuple[tuple[str, NDArray[np.float64] | None], ...
 
 
 def _written(curve: Curve) -> list[tuple[str, NDArray[np.float64]]]:
-    """Heading and cells, in its unit, of each observable that a curve has, and of how well each is known."""
+    """Heading and cells, in its unit, of each observable and size that a curve has, and of how well each is known."""
     written = []
     for o in all_observables().values():
         for kind, heading in ((curve.values, o.heading), (curve.value_sds, o.sd_heading)):
             if o.name in kind:
                 written.append((heading, o.scale * kind[o.name]))
+    for name, (unit, display) in _OF_OBJECT.items():
+        for column in (name, f"{name}_sd"):
+            if column in curve.of_object:
+                written.append((f"{column}_{display}", curve.of_object[column] / parse(f"1 {display}", unit)))
     return written
 
 
@@ -104,6 +111,8 @@ def read_curve(path: Path | str) -> Curve:
 
     How each point was observed may stand in duration_s and slip_limit_mm. The standard deviation of an observable ends
     in `_sd`: bending_amplitude_deg, bending_amplitude_sd_deg.
+
+    Of a film there are also radius_mm, radius_sd_mm, area_mm^2, area_sd_mm^2.
 
     Other units and names in the headings are read as well (see `plategait.files.table`), and what people write for a
     failure (`plategait.curve.outcome`). Empty cells are points without that knowledge. What is odd but may be meant is
@@ -118,7 +127,9 @@ def read_curve(path: Path | str) -> Curve:
     observables = {o.name: Column(o.unit.removeprefix("1"), required=False) for o in all_observables().values()}
     sds = {f"{o.name}_sd": Column(o.unit.removeprefix("1"), required=False, above=0.0, also=(f"{o.name}_std",))
            for o in all_observables().values() if o.label}  # fmt: skip
-    columns = _NUMBERS | observables | sds
+    of_object = {n: Column(unit, required=False, above=0.0)
+                 for name, (unit, _) in _OF_OBJECT.items() for n in (name, f"{name}_sd")}  # fmt: skip
+    columns = _NUMBERS | observables | sds | of_object
     table = read_table(path, columns, text=_WORDS, field="curve", example="frequency_hz,spin_rate_deg_s")
     names = {n: name for name, column in columns.items() for n in (name, *column.also)}
     names |= {n: name for name, also in _WORDS.items() for n in (name, *also)}
@@ -144,6 +155,7 @@ def read_curve(path: Path | str) -> Curve:
         runs=runs,
         failed_runs=failed_runs,
         values={name: table[name] for name in observables if name in table.numbers},
+        of_object={name: table[name] for name in of_object if name in table.numbers},
         value_sds={n.removesuffix("_sd"): table[n] for n in sds if n in table.numbers},
         notes=tuple(filter(None, notes)),
     )

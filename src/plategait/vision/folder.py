@@ -18,6 +18,7 @@ from plategait.files.rows import read_rows
 from plategait.vision.plate.swing import PlateSwing
 from plategait.vision.setup import Setup
 from plategait.vision.track import Track, track
+from plategait.vision.velocity import HALF_95
 
 CLIPS = (".mp4", ".mov", ".avi", ".mkv", ".m4v", ".webm", ".mpg", ".mpeg", ".mts")
 # "24Hz", "24.5 hz", "24p5Hz", "24,5_Hz": a number with its unit, wherever it stands in the name.
@@ -49,9 +50,7 @@ class Clip:
     @property
     def failure(self) -> str:
         """What happened to the object, in words of the curve; empty where it stayed or nothing is known."""
-        if self.track is not None and self.track.drift > USUAL.slip_limit:
-            return "slipped"
-        return ""
+        return "" if self.track is None else self.track.failure
 
 
 def frequency_in_name(path: Path) -> float | None:
@@ -195,16 +194,44 @@ def curve_of_clips(clips: list[Clip], name: str) -> Curve:
     def seconds(clip: Clip) -> float:
         return math.nan if clip.track is None else float(np.ptp(clip.track.time))
 
-    def rates(of: Callable[[Track], float]) -> np.ndarray:
-        return np.degrees([math.nan if c.track is None or c.failure else of(c.track) for c in placed])
+    def each(of: Callable[[Track], float], *, failed: bool = False) -> np.ndarray:
+        """A number of each clip; of one in which the object failed only if it counts nevertheless."""
+        return np.array([math.nan if c.track is None or (c.failure and not failed) else of(c.track) for c in placed])
 
+    def half(high: float, low: float) -> float:
+        return (high - low) / (2 * HALF_95)
+
+    values = {
+        "velocity_x": each(lambda t: t.findings.velocity.x),
+        "velocity_y": each(lambda t: t.findings.velocity.y),
+        "rim_lift": each(lambda t: t.findings.rim_lift[0]),
+    }
+    sds = {
+        "velocity_x": each(lambda t: t.findings.velocity.x_half / HALF_95),
+        "velocity_y": each(lambda t: t.findings.velocity.y_half / HALF_95),
+        "rim_lift": each(lambda t: t.findings.rim_lift[1]),
+    }
+    of_object = {
+        "radius": each(lambda t: t.findings.radius[0], failed=True),
+        "radius_sd": each(lambda t: t.findings.radius[1], failed=True),
+        "area": each(lambda t: t.findings.area[0], failed=True),
+        "area_sd": each(lambda t: t.findings.area[1], failed=True),
+    }
     return Curve(
         name=name,
         frequency_hz=np.array([c.frequency for c in placed]),
-        spin_rate_deg_s=rates(lambda t: t.spin.rate),
-        spin_rate_sd_deg_s=rates(lambda t: (t.spin.high - t.spin.low) / (2 * 1.96)),
+        spin_rate_deg_s=np.degrees(each(lambda t: t.spin.rate)),
+        spin_rate_sd_deg_s=np.degrees(each(lambda t: half(t.spin.high, t.spin.low))),
         gait=("",) * len(placed),
         failure=tuple(c.failure for c in placed),
         duration=np.array([seconds(c) for c in placed]),
         slip_limit=np.full(len(placed), USUAL.slip_limit),
+        values=_known(values),
+        value_sds=_known(sds),
+        of_object=_known(of_object),
     )
+
+
+def _known(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Those that any clip tells something of."""
+    return {name: values for name, values in columns.items() if np.isfinite(values).any()}

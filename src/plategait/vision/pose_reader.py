@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from plategait.arrays import Picture
 from plategait.errors import InputError
 from plategait.vision.frames import Frame
-from plategait.vision.object.markers import MarkerTracker, learn_markers
 from plategait.vision.object.pose import NO_POSE, Pose
-from plategait.vision.object.texture import TextureTracker, learn_object
+from plategait.vision.object.tracker import ObjectTracker
 from plategait.vision.plate.rectified import Grid
 from plategait.vision.plate.trouble import NothingSeenError
 from plategait.vision.plate.view import PlateView
@@ -19,8 +17,6 @@ from plategait.vision.survey import Survey, batches, surveyed, without_picture
 
 # Of a batch of frames, pictures looked at closely.
 MOST_PATCHES = 15
-# Share of the pictures in which what was learnt as markers must be found again.
-LEAST_FOLLOWED = 0.3
 
 
 class PoseReader:
@@ -45,9 +41,14 @@ class PoseReader:
         spaced = sure[:: max(1, len(sure) // MOST_PATCHES)]
         self.grid = Grid.over(setup.plate_size, spaced[0][1])
         self.allowed = self.grid.mask(self.plate.occupied())
-        self.markers: MarkerTracker | None = None
-        self.texture: TextureTracker | None = None
-        if self._learn(setup.object, [self.grid.warp(f, H) for f, H in spaced]):
+        self.object = ObjectTracker(self.grid, self.allowed)
+        if not self.object.learn(setup.object, [self.grid.warp(f, H) for f, H in spaced]):
+            raise NothingSeenError(
+                "video", "nothing like an object on the plate in its first frames",
+                "a clip that begins with the object in view",
+                "--object texture, or two markers on it (plategait target)",
+            )  # fmt: skip
+        if self.object.others:
             raise InputError(
                 "video",
                 "more than one object on the plate",
@@ -55,49 +56,17 @@ class PoseReader:
                 "filming one object at a time",
             )
 
-    def _learn(self, known_by: str, patches: list[Picture]) -> int:
-        """Learn what the object looks like; gives how many others look the same."""
-        if known_by in ("auto", "markers"):
-            markers = learn_markers(patches, self.grid, self.allowed)
-            if markers is not None and self._followed(MarkerTracker(markers), patches) >= LEAST_FOLLOWED:
-                self.markers = MarkerTracker(markers)
-                return markers.others
-        whole = None if known_by == "markers" else learn_object(patches, self.grid, self.allowed)
-        if whole is None:
-            raise NothingSeenError(
-                "video", "nothing like an object on the plate in its first frames",
-                "a clip that begins with the object in view",
-                "--object texture, or two markers on it (plategait target)",
-            )  # fmt: skip
-        self.texture = TextureTracker(whole)
-        return whole.others
-
-    def _followed(self, tracker: MarkerTracker, patches: list[Picture]) -> float:
-        """Share of the pictures in which a tracker surely finds its markers."""
-        return sum(not tracker.find(p, self.grid, self.allowed).reason for p in patches) / len(patches)
-
     def read(self, frame: Frame, view: PlateView | None = None) -> tuple[PlateView, dict[str, Pose]]:
         """Plate and poses, by method, in one frame, in which the plate may have been found before."""
         view = view or self.plate.find(frame)
         if view.homography is None:
             lost = NO_POSE._replace(reason=view.reason)
-            return view, dict.fromkeys(self.methods, lost)
-        if self.markers is not None:
-            grid, part = self.grid.part(*self.markers.window)
-            patch = grid.warp(frame, view.homography)
-            poses = {"markers": self.markers.find(patch, grid, self.allowed[part])}
-        else:
-            assert self.texture is not None
-            patch = self.grid.warp(frame, view.homography)
-            poses = dict(zip(self.methods, self.texture.find(patch, self.grid, self.allowed), strict=True))
+            return view, dict.fromkeys(self.object.methods, lost)
+        H = view.homography
+        poses = self.object.find(lambda grid: grid.warp(frame, H))
         if view.reason:
             poses = {name: pose._replace(reason=pose.reason or view.reason) for name, pose in poses.items()}
         return view, poses
-
-    @property
-    def methods(self) -> tuple[str, ...]:
-        """Ways in which the object's orientation is found."""
-        return ("markers",) if self.markers is not None else ("texture", "outline")
 
 
 def learnt(frames: Iterator[Frame], setup: Setup) -> tuple[PoseReader, Survey, list[Frame]]:

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array, Flags
+from plategait.vision.departure import Departure
 from plategait.vision.object.parallax import rim_parallax
 from plategait.vision.object.pose import Pose
+from plategait.vision.object.rim import RAYS
 from plategait.vision.spin import Spin, outliers, spin_of, unwrapped
 
 # Parallax smaller than this is not worth a note, deg.
@@ -34,6 +36,8 @@ class PoseSeries:
         Distance of the two markers, m; NaN without.
     reason : list of str
         Of each frame, why it is uncertain; empty where it is sure.
+    rim : (n, RAYS) array
+        Distances of the edge from the middle, m; NaN where it was not seen.
     """
 
     time: Array
@@ -42,18 +46,25 @@ class PoseSeries:
     angle: Array
     spacing: Array
     reason: list[str]
+    rim: Array
 
     @classmethod
     def of(cls, time: Array, poses: Sequence[Pose], repeated: Flags) -> PoseSeries:
         """Poses as arrays; frames that repeat a picture are not sure."""
         x, y, angle, spacing = (np.array([getattr(p, k) for p in poses]) for k in ("x", "y", "angle", "spacing"))
         reason = [p.reason or ("repeated picture" if again else "") for p, again in zip(poses, repeated, strict=True)]
-        return cls(time, x, y, angle, spacing, reason)
+        rim = np.array([np.full(RAYS, math.nan) if p.rim is None else p.rim for p in poses])
+        return cls(time, x, y, angle, spacing, reason, rim)
 
     @property
     def sure(self) -> Flags:
         """(n,) whether the orientation of a frame is sure."""
         return np.array([not r for r in self.reason]) & np.isfinite(self.angle)
+
+    def leave(self, departure: Departure) -> None:
+        """Use no frame after the object slipped or left."""
+        for k in np.nonzero(self.time > departure.time)[0]:
+            self.reason[k] = self.reason[k] or f"after it {departure.kind}"
 
     def spin(self, symmetry: int, fps: float, swing: float | None, eye: Array | None, notes: list[str]) -> Spin:
         """Spin rate; where there is one, the sure angles become one line, free of parallax, and outliers uncertain.

@@ -16,6 +16,7 @@ from plategait.files.output import whole_file
 from plategait.vision.frames import Frame
 from plategait.vision.object.pose import Pose
 from plategait.vision.plate.view import PlateView, project
+from plategait.vision.velocity import HALF_95, local_velocity
 
 if TYPE_CHECKING:
     from plategait.camera.writer import FilmWriter
@@ -24,6 +25,10 @@ if TYPE_CHECKING:
 # Blue, green, red.
 SURE, UNSURE, PLATE = (60, 200, 40), (40, 60, 240), (220, 150, 40)
 COLUMNS = ("time_s", "x_mm", "y_mm", "angle_deg", "sure", "reason")
+# With half of the 95 % interval: of each frame's surroundings, and of the whole clip.
+LOCAL = ("velocity_x_mm_s", "velocity_x_half_mm_s", "velocity_y_mm_s", "velocity_y_half_mm_s", "spin_rate_deg_s",
+         "spin_rate_half_deg_s")  # fmt: skip
+OF_CLIP = ("radius_mm", "radius_half_mm", "area_mm2", "area_half_mm2", "rim_lift_mm", "rim_lift_half_mm")
 # Quality of the film (H.264's constant rate factor), and frames per second where a camera does not tell.
 QUALITY, USUAL_FPS = 24, 30.0
 
@@ -98,19 +103,32 @@ def _line(
 
 
 def write_poses(track: Track, path: Path | str) -> None:
-    """Write one row per frame as CSV with the columns of `COLUMNS`: s, mm, deg; empty where not seen.
+    """Write one row per frame as CSV: `COLUMNS`, `LOCAL`, `OF_CLIP`; empty where not seen.
+
+    The last ones say the same in each row. The velocities are those around each frame, the plate's swing included.
 
     Raises
     ------
     InputError
         When the file cannot be written.
     """
+    found = track.findings
+    place = np.where(track.placed[:, None], found.place, math.nan)
+    angle = np.where(track.sure, track.angle, math.nan)
+    local = [column for line, scale in ((place[:, 0], 1e3), (place[:, 1], 1e3), (angle, math.degrees(1)))
+             for column in scale * np.array(local_velocity(track.time, line))]  # fmt: skip
+    of_clip = [value for known, scale in ((found.radius, 1e3), (found.area, 1e6), (found.rim_lift, 1e3))
+               for value in (scale * known[0], scale * HALF_95 * known[1])]  # fmt: skip
     with (
         whole_file(path, (".csv",), "--out") as unfinished,
         open(unfinished, "w", newline="", encoding="utf-8") as file,
     ):
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        numbers = (track.time, 1e3 * track.x, 1e3 * track.y, np.degrees(track.angle))
-        for *row, sure, reason in zip(*numbers, track.sure, track.reason, strict=True):
-            writer.writerow([*(f"{v:.7g}" if math.isfinite(v) else "" for v in row), int(sure), reason])
+        writer.writerow([*COLUMNS, *LOCAL, *OF_CLIP])
+        numbers = np.stack([track.time, 1e3 * track.x, 1e3 * track.y, np.degrees(track.angle)], axis=1)
+        for pose, sure, reason, around in zip(numbers, track.sure, track.reason, np.stack(local, axis=1), strict=True):
+            writer.writerow([*map(_cell, pose), int(sure), reason, *map(_cell, around), *map(_cell, of_clip)])
+
+
+def _cell(value: float) -> str:
+    return f"{value:.7g}" if math.isfinite(value) else ""

@@ -120,11 +120,11 @@ def spin_of(
     notes = []
     if part[-1] > 0:
         notes.append(f"turns may be missed over {part[-1]} gaps; the rate is that of the parts between them")
-    swing, margin = _swing(plate_frequency, fps or 1 / base, float(t[-1] - t[0]), notes)
+    swing, margin = swing_seen(plate_frequency, fps or 1 / base, float(t[-1] - t[0]), notes)
     smooth, slope = fitted(t, line, part, swing)
     if abs(slope - rate / symmetry) > max(0.25 * abs(rate) / symmetry, 0.3 * math.pi / base / symmetry):
         return _no_rate("the steps between frames and the whole clip give two different rates")
-    half, spread = _uncertainty(t, smooth, part, slope)
+    half, spread = uncertainty(t, smooth, part, slope)
     if math.isnan(half):
         return _no_rate("too short for an interval")
     half += margin
@@ -189,7 +189,7 @@ def unwrapped(time: Array, phase: Array, rate: float) -> tuple[Array, NDArray[np
 
 def outliers(time: Array, angle: Array, part: NDArray[np.intp], plate_frequency: float | None, fps: float) -> Flags:
     """Frames whose angle, joined to a line, is far out of line with those around it: wrongly seen."""
-    swing = _swing(plate_frequency, fps, float(np.ptp(time)), [])[0]
+    swing = swing_seen(plate_frequency, fps, float(np.ptp(time)), [])[0]
     smooth, slope = fitted(time, angle, part, swing)
     off = smooth - slope * time
     padded = np.pad(off, OUTLIER_NEIGHBOURS, mode="reflect")
@@ -222,7 +222,9 @@ def fitted(time: Array, angle: Array, part: NDArray[np.intp], swing: tuple[float
     return angle - waved, float(solution[0])
 
 
-def _swing(frequency: float | None, fps: float, duration: float, notes: list[str]) -> tuple[tuple[float, ...], float]:
+def swing_seen(
+    frequency: float | None, fps: float, duration: float, notes: list[str]
+) -> tuple[tuple[float, ...], float]:
     """Frequencies, Hz, of the swing that can be fitted, and what the rest of it may do to the rate, rad/s."""
     if frequency is None:
         return (), 0.0
@@ -247,7 +249,7 @@ def _swing(frequency: float | None, fps: float, duration: float, notes: list[str
     return tuple(frequencies), margin
 
 
-def _uncertainty(time: Array, angle: Array, part: NDArray[np.intp], slope: float) -> tuple[float, float]:
+def uncertainty(time: Array, angle: Array, part: NDArray[np.intp], slope: float) -> tuple[float, float]:
     """Half the 95 % interval of a slope by those of blocks of time, and their spread, rad/s; NaN for too few blocks."""
     slopes, weights = _block_slopes(time, angle, part)
     n = len(slopes)

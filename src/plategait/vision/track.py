@@ -14,9 +14,12 @@ import numpy as np
 from plategait.arrays import Array, Flags
 from plategait.camera.fiducials import CENTRE_MARKER, RIM_MARKER
 from plategait.files.plain import plain
+from plategait.vision.departure import hidden_after
+from plategait.vision.findings import Findings, findings
 from plategait.vision.frames import Frame, open_video, repeats
 from plategait.vision.lens import scaled_matrix
 from plategait.vision.object.pose import Pose
+from plategait.vision.object.tracker import ObjectTracker
 from plategait.vision.plate.fiducials import BLURRED_FIDUCIALS
 from plategait.vision.plate.swing import UNSEEN, PlateSwing, plate_swing
 from plategait.vision.plate.view import PlateView, ScalePlate
@@ -27,8 +30,6 @@ from plategait.vision.spin import Spin, apparent_frequency
 from plategait.vision.stamps import Stamps, stamps_of
 from plategait.vision.survey import straight_frames
 
-# Successive frames at the end without the object that mean that it has gone, s.
-GONE = 0.5
 # Least turn of a texture that is the object's for sure, rad.
 LEAST_TURN = math.radians(10)
 # Why no frame is sure of a clip whose orientation gives no rate.
@@ -67,6 +68,8 @@ class Track:
     plate_frequency : float
         As given, else as the camera saw it where nothing else looks the same, Hz; NaN where unknown.
     spin : Spin
+    findings : Findings
+        What it shows beside its turning.
     notes : tuple of str
         What to know about the clip.
     """
@@ -85,20 +88,18 @@ class Track:
     plate: PlateSwing
     plate_frequency: float
     spin: Spin
+    findings: Findings
     notes: tuple[str, ...] = ()
 
     @property
     def drift(self) -> float:
-        """Farthest that the middle, averaged over half a second, came from where it was at first, m."""
-        x, y, t = self.x[self.placed], self.y[self.placed], self.time[self.placed]
-        if len(t) < 4:
-            return math.nan
-        bins = ((t - t[0]) / GONE).astype(int)
-        count = np.maximum(np.bincount(bins), 1e-9)
-        full = count > 1
-        mx, my = (np.bincount(bins, v) / count for v in (x, y))
-        mx, my = mx[full], my[full]
-        return float(np.hypot(mx - mx[0], my - my[0]).max()) if len(mx) else math.nan
+        """Farthest that the outline's middle came from where it was at first, m."""
+        return self.findings.departure.drift
+
+    @property
+    def failure(self) -> str:
+        """What happened to the object: "slipped", "left the plate"; empty where it stayed."""
+        return self.findings.departure.kind
 
     def reasons(self) -> dict[str, int]:
         """Why frames are uncertain, and how many each, the commonest first."""
@@ -117,6 +118,7 @@ class Track:
             "no_spin_rate": spin.reason or None,
             "indistinguishable_rates_deg_s": [math.degrees(a) for a in spin.aliases],
             "drift_mm": 1e3 * self.drift,
+            **self.findings.summary(),
             "method": self.method,
             "symmetry": self.symmetry,
             "frames": n,
@@ -168,28 +170,41 @@ def track(
     notes += stamps.notes
     time, fps = stamps.time, stamps.fps
     poses = PoseSeries.of(time, readings.poses[method], repeated)
-    symmetry = _symmetry(reader, method, notes)
-    _note_marker_size(reader, notes)
+    symmetry = _symmetry(reader.object, method, notes)
+    _note_marker_size(reader.object, notes)
     plate = _plate_swing(stamps, np.array(readings.views), repeated, reader, setup)
     agree = _note_frequency(setup.plate_frequency, plate, stamps, notes)
     frequency = setup.plate_frequency or (plate.frequency if plate.certain else math.nan)
     # What is seen decides what the swing does to the frames.
     swing = setup.plate_frequency or plate.frequency if agree else plate.frequency
     eye = plate.eye if method == "markers" else None
-    spin = poses.spin(symmetry, fps, swing if math.isfinite(swing) else None, eye, notes)
+    wave = swing if math.isfinite(swing) else None
+
+    def found() -> Findings:
+        return findings(
+            time, np.stack([poses.x, poses.y], axis=1), poses.angle, poses.sure, poses.rim, eye=plate.eye, swing=wave,
+            fps=fps, plate=setup.plate_size, pixel=reader.grid.pitch, marked=method == "markers",
+            no_edge=reader.object.no_edge,
+        )  # fmt: skip
+
+    gone = found().departure
+    poses.leave(gone)
+    spin = poses.spin(symmetry, fps, wave, eye, notes)
     if method != "markers":
         spin = _turning(spin, float(np.ptp(time)), method, symmetry)
-    placed = poses.sure
+    placed, last = poses.sure, hidden_after(time, poses.sure)
+    seen = found()
     if math.isnan(spin.rate):
-        spin = replace(spin, reason=spin.reason + _mostly(poses.reason))
+        left = f"{gone.kind} at {gone.time:.2f} s: " if gone.kind else ""
+        spin = replace(spin, reason=left + spin.reason + _mostly(poses.reason))
         poses.reason = [reason or NO_RATE for reason in poses.reason]
     if readings.blurred > LEAST_BLURRED * len(time):
         notes.append(f"in {readings.blurred} frames the fiducials are blurred: a shorter exposure would make them sure")
-    if not placed[time > time[-1] - GONE].any() and placed.any() and time[-1] - time[0] > 2 * GONE:
-        notes.append(f"the object is not seen after {time[placed][-1]:.2f} s")
+    if not gone.kind and math.isfinite(last):
+        notes.append(f"the object is not seen after {last:.2f} s")
     return Track(
         readings.name, time, poses.x, poses.y, poses.angle, poses.sure, placed, tuple(poses.reason), method, symmetry,
-        fps, plate, frequency, spin, tuple(notes),
+        fps, plate, frequency, spin, seen, tuple(notes),
     )  # fmt: skip
 
 
@@ -216,7 +231,7 @@ def _read_frames(
     with open_video(source, fps=setup.fps, seconds=setup.seconds) as video:
         frames = straight_frames(video, setup.calibration)
         reader, survey, passed = learnt(frames, setup)
-        readings = _Readings(video.name, [], [], [], {name: [] for name in reader.methods}, video.notes)
+        readings = _Readings(video.name, [], [], [], {name: [] for name in reader.object.methods}, video.notes)
         early = PlateView(None, "before plate and object were found")
         known = [*((frame, early) for frame in passed), *zip(survey.frames, survey.views, strict=True)]
         for frame, found in chain(known, ((frame, None) for frame in frames)):
@@ -235,23 +250,24 @@ def _read_frames(
     return reader, readings
 
 
-def _symmetry(reader: PoseReader, method: str, notes: list[str]) -> int:
+def _symmetry(tracker: ObjectTracker, method: str, notes: list[str]) -> int:
     """Turns of a full circle over this look the same; an object without markers is noted."""
-    if reader.texture is None:
+    notes += tracker.notes
+    if tracker.texture is None:
         return 1
-    symmetry = (reader.texture.texture if method == "texture" else reader.texture.outline).symmetry()
+    symmetry = (tracker.texture.texture if method == "texture" else tracker.texture.outline).symmetry()
     notes.append(f"no markers: followed by its {method}")
     if symmetry > 1:
         notes.append(f"the object looks the same after 1/{symmetry} of a turn")
     return symmetry
 
 
-def _note_marker_size(reader: PoseReader, notes: list[str]) -> None:
+def _note_marker_size(tracker: ObjectTracker, notes: list[str]) -> None:
     """Note markers shaped like ours but of another size: the plate may not be as large as was typed."""
-    if reader.markers is None or not reader.markers.appearance.long:
+    if tracker.markers is None or not tracker.markers.appearance.long:
         return
     ours = np.array([math.prod(CENTRE_MARKER), math.prod(RIM_MARKER)])
-    scale = np.sqrt(reader.markers.appearance.areas / ours)
+    scale = np.sqrt(tracker.markers.appearance.areas / ours)
     if abs(math.log(scale[0] / scale[1])) < LIKE_OURS and abs(math.log(scale.mean())) > OTHER_SCALE:
         notes.append(
             f"the object's markers look {scale.mean():.2f} times as large as those of plategait target: "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import permutations
 
 import numpy as np
@@ -49,6 +49,8 @@ class MarkerAppearance:
         Where the centre marker was seen, m.
     others : int
         Further pairs that look the same: other objects.
+    tracked : (2,) array or None
+        Areas as a tracker sees them, m²: markers near the plate's colour lose their edges.
     """
 
     marker: Array
@@ -58,6 +60,7 @@ class MarkerAppearance:
     long: bool
     centre: Array
     others: int = 0
+    tracked: Array | None = None
 
     def likeness(self, patch: Picture) -> Picture:
         """(rows, columns): 0 for the grounds' colours, `FULL_LIKENESS` for the markers' (bytes are quick)."""
@@ -101,6 +104,13 @@ def learn_markers(patches: list[Picture], grid: Grid, mask: Picture) -> MarkerAp
     return MarkerAppearance(
         marker, grounds, areas, spacing, bool(np.mean([p.long for p in agreeing]) > 0.5), centre, int(others)
     )
+
+
+def as_tracked(appearance: MarkerAppearance, patches: list[Picture], grid: Grid, mask: Picture) -> MarkerAppearance:
+    """The same with the areas that a tracker sees."""
+    tracker = MarkerTracker(appearance)
+    areas = [tracker.areas for patch in patches if math.isfinite(tracker.find(patch, grid, mask).spacing)]
+    return replace(appearance, tracked=np.median(areas, axis=0)) if len(areas) > 1 else appearance
 
 
 def plate_colour(patch: Picture, allowed: Picture) -> Array:
@@ -203,12 +213,19 @@ class MarkerTracker:
     Parameters
     ----------
     appearance : MarkerAppearance
+
+    Attributes
+    ----------
+    areas : (2,) array
+        Of the markers when they were last found, m².
     """
 
     def __init__(self, appearance: MarkerAppearance) -> None:
         self.appearance = appearance
         self._centre = appearance.centre
         self._lost = 0
+        self.usual = appearance.areas if appearance.tracked is None else appearance.tracked
+        self.areas = self.usual
 
     @property
     def window(self) -> tuple[Array, float]:
@@ -224,7 +241,7 @@ class MarkerTracker:
         likeness = self.appearance.likeness(patch) * mask
         blobs = blobs_in((likeness > FULL_LIKENESS // 2).astype(np.uint8), grid, likeness)
         reach = self._reach
-        area, rim_area = self.appearance.areas
+        area, rim_area = self.usual
         centres = [b for b in blobs if _within(b.area / area, (0.4, 1.9)) and self._off(b) < reach]
         pairs = [
             (c, r)
@@ -238,6 +255,7 @@ class MarkerTracker:
             return NO_POSE._replace(reason="rim marker not seen" if centres else "centre marker not seen")
         pairs.sort(key=lambda pair: self._cost(*pair))
         centre, rim = pairs[0]
+        self.areas = np.array([centre.area, rim.area])
         line = rim.middle - centre.middle
         reason = ""
         if not (_within(centre.area / area, SURE_AREA) and _within(rim.area / rim_area, SURE_AREA)):
@@ -269,7 +287,7 @@ class MarkerTracker:
         return abs(_half_turn(math.atan2(line[1], line[0]) - centre.axis))
 
     def _cost(self, centre: Blob, rim: Blob) -> float:
-        areas = np.log(np.array([centre.area, rim.area]) / self.appearance.areas)
+        areas = np.log(np.array([centre.area, rim.area]) / self.usual)
         spacing = 3 * abs(self._stretch(centre, rim) - 1)
         return float(np.abs(areas).sum() + spacing + self._aside(centre, rim) + self._off(centre) / MOST_MOVE)
 

@@ -19,8 +19,9 @@ from plategait.arrays import Array
 FEWEST, LEAST_TURNS, MOST_PIECES = 20, 0.3, 6
 # The lift is small beside the markers' spacing: this share of it, where nothing else is known.
 USUAL_LIFT = 0.15
-# The correction must take out this share of the squared scatter, or it is not applied.
-LEAST_GAIN = 0.1
+# The correction must take out this share of the squared scatter, or it is not applied; and as so many unknowns would of
+# mere noise.
+LEAST_GAIN, UNKNOWNS = 0.1, 16
 ROUNDS, HUBER = 6, 1.5
 # Harmonics of the plate's swing, and of the place around the object, that the lift is made of.
 SWINGS, SHAPES = 3, 3
@@ -85,7 +86,7 @@ def rim_parallax(
         lift = np.clip(basis @ solution[: basis.shape[1]], -MOST_LIFT, MOST_LIFT)
         turn = _apparent(lift, true, sight)[0][0]
     before, after = (_scatter(plain, v, weight[: len(time)]) for v in (angle, angle - turn))
-    return Parallax(turn, lift * length) if after < (1 - LEAST_GAIN) * before else None
+    return Parallax(turn, lift * length) if after < (1 - LEAST_GAIN - UNKNOWNS / len(time)) * before else None
 
 
 def _lift_basis(phase: Array, angle: Array) -> tuple[Array, Array]:

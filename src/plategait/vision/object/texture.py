@@ -87,23 +87,26 @@ def learn_object(patches: list[Picture], grid: Grid, allowed: Picture) -> Object
     return ObjectAppearance(colour, ground, float(area), int(others))
 
 
-def _appearance_in(patch: Picture, grid: Grid, allowed: Picture) -> ObjectAppearance | None:
-    """What the largest thing on the plate looks like in one picture; None where nothing stands out."""
+def standing_out(patch: Picture, grid: Grid, allowed: Picture) -> list[Picture]:
+    """What stands out from the plate in one picture and may be an object by its size: masks, the largest first."""
     import cv2
 
-    rows, columns = grid.shape
-    within = np.zeros(grid.shape, bool)
-    within[rows // 25 : -(rows // 25), columns // 25 : -(columns // 25)] = True
     ground = plate_colour(patch, allowed)
     distance = np.linalg.norm(patch.astype(np.float32) - ground.astype(np.float32), axis=2)
     levels = np.clip(distance, 0, 255).astype(np.uint8)
-    level, _ = cv2.threshold(levels[within & (allowed > 0)], 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
+    level, _ = cv2.threshold(levels[grid.inner & (allowed > 0)], 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
     if level < LEAST_COLOUR / 2:
-        return None
-    parts = _parts(((levels > level) & (allowed > 0) & within).astype(np.uint8), grid)
-    large = [p for p in parts if LEAST_OBJECT < p.sum() / (rows * columns) < MOST_OBJECT]
+        return []
+    parts = _parts(((levels > level) & (allowed > 0) & grid.inner).astype(np.uint8), grid)
+    return [p for p in parts if LEAST_OBJECT < p.sum() / p.size < MOST_OBJECT]
+
+
+def _appearance_in(patch: Picture, grid: Grid, allowed: Picture) -> ObjectAppearance | None:
+    """What the largest thing on the plate looks like in one picture; None where nothing stands out."""
+    large = standing_out(patch, grid, allowed)
     if not large:
         return None
+    ground = plate_colour(patch, allowed)
     colour = np.median(patch[large[0] > 0], axis=0)
     if np.linalg.norm(colour - ground) < LEAST_COLOUR:
         return None

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plategait.arrays import Array, Picture
+from plategait.arrays import Array, Flags, Picture
 from plategait.vision.frames import Frame
 from plategait.vision.plate.view import project
 
@@ -63,6 +63,15 @@ class Grid:
         bottom, right = max(bottom, top + 1), max(right, left + 1)
         corner = (self.corner[0] + left * self.pitch, self.corner[1] - top * self.pitch)
         return Grid((bottom - top, right - left), self.pitch, corner), (slice(top, bottom), slice(left, right))
+
+    @property
+    def inner(self) -> Flags:
+        """(rows, columns) whether a pixel is on the plate itself, in a picture of the whole plate."""
+        rows, columns = self.shape
+        inner = np.zeros(self.shape, bool)
+        # The picture reaches a little beyond the plate.
+        inner[rows // 25 : -(rows // 25), columns // 25 : -(columns // 25)] = True
+        return inner
 
     def mask(self, polygons: list[Array]) -> Picture:
         """1 outside these polygons on the plate, m; 0 inside."""
