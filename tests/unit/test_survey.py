@@ -162,7 +162,7 @@ def test_another_plate_than_the_one_told_is_refused_with_its_size(frames: list[F
 def test_a_plate_that_comes_into_view_late_is_found_and_earlier_frames_are_uncertain(frames: list[Frame]) -> None:
     blank = [replace(f, luma=np.full_like(f.luma, 90)) for f in frames] * 2 + frames[:3]
     reader, survey, passed = learnt(iter([*blank, *frames[3:]]), SETUP)
-    assert reader.methods == ("markers",)
+    assert reader.object.methods == ("markers",)
     assert (len(passed), len(survey.frames)) == (60, 30)
     assert not any(f.luma.size for f in passed)
     with pytest.raises(InputError, match="5 frames"):
