@@ -15,7 +15,7 @@ from plategait.errors import InputError
 from plategait.vision.frames import Frame, repeats
 from plategait.vision.lens import scaled_matrix, undistorter
 from plategait.vision.plate.fiducials import FiducialPlate
-from plategait.vision.plate.outline import OutlinePlate
+from plategait.vision.plate.outline import OUTLINE_CROPPED, OutlinePlate
 from plategait.vision.plate.rectified import Grid
 from plategait.vision.plate.swing import focal_of, poses
 from plategait.vision.plate.view import ScalePlate, homography, project, rigid
@@ -127,10 +127,57 @@ def test_the_plate_is_where_it_was_drawn(by: str) -> None:
         assert view.reason == ""
         assert view.homography is not None
         quad, drawn = project(view.homography, CORNERS), project(H, CORNERS)
-        # Fiducials' corners are refined to a fraction of a pixel. The outline runs through the middles of the outermost
-        # pixels, half of one inside the plate, and where two such lines meet at a slant this doubles.
+        # Corners of fiducials are refined to a fraction of a pixel, and lines along edges to as much; where two of them
+        # meet at a slant their errors add up.
         offset = min(np.abs(np.roll(quad, k, axis=0) - drawn).max() for k in range(4))
-        assert offset < (0.3 if by == "fiducials" else 1.5)
+        assert offset < (0.3 if by == "fiducials" else 0.5)
+
+
+WOOD, OAK_GREY, CHEESE = (150, 105, 62), (112, 112, 112), (242, 200, 84)
+
+
+@pytest.mark.parametrize(
+    ("plate", "table", "cue"),
+    [
+        pytest.param(WOOD, OAK_GREY, "other colour", id="brown wood on a table as bright"),
+        pytest.param((236, 236, 233), (120, 122, 119), "light", id="white on grey"),
+        pytest.param((40, 42, 45), (150, 148, 146), "dark", id="dark on light"),
+        pytest.param((45, 46, 50), (100, 98, 96), "darkest", id="dark on grey, under a bright object"),
+        pytest.param((118, 118, 118), (110, 110, 110), None, id="grey with an edge of shade on grey"),
+    ],
+)
+def test_a_plate_is_known_by_its_brightness_its_colour_or_its_edges(
+    plate: tuple[int, ...], table: tuple[int, ...], cue: str | None
+) -> None:
+    finder, noise = OutlinePlate((SIDE, SIDE)), np.random.default_rng(5)
+    for tilt in np.radians([-6.0, 0.0, 5.0]):
+        H = homography_of(CAMERA, tilt, 1e-3)
+        rgb = np.full((720, 1280, 3), table, np.uint8)
+        fine = np.array([[2, 0, 0.5], [0, 2, 0.5], [0, 0, 1.0]]) @ H
+        outline = np.round(16 * project(fine, CORNERS)).astype(np.int32)
+        cv2.fillConvexPoly(rgb, outline, plate, cv2.LINE_AA, 4)
+        if cue is None:
+            cv2.polylines(rgb, [outline], True, (70, 70, 70), 4, cv2.LINE_AA, 4)
+        turns = np.linspace(0, 2 * np.pi, 60)
+        around = project(fine, 0.03 * np.stack([np.cos(turns), np.sin(turns)], axis=1))
+        cv2.fillPoly(rgb, [np.round(16 * around).astype(np.int32)], CHEESE, cv2.LINE_AA, 4)
+        rgb = cv2.resize(rgb, (640, 360), interpolation=cv2.INTER_AREA) + 2 * noise.standard_normal((360, 640, 3))
+        yuv = cv2.cvtColor(np.clip(rgb, 0, 255).astype(np.uint8), cv2.COLOR_RGB2YUV_I420)
+        chroma = yuv[360:].reshape(2, 180, 320)
+        view = finder.find(Frame(0, 0.0, yuv[:360], (chroma[0], chroma[1])))
+        assert view.homography is not None
+        assert view.read is not None
+        drawn = project(H, CORNERS)
+        # Colours are at half the size; an edge of shade is two pixels wide, and has two sides.
+        offset = min(np.abs(np.roll(view.read[0], k, axis=0) - drawn).max() for k in range(4))
+        assert offset < {None: 2.5, "other colour": 1.2}.get(cue, 0.7)
+
+
+def test_a_plate_that_the_picture_cuts_off_is_no_plate() -> None:
+    shifted = np.array([[1, 0, 260], [0, 1, 0], [0, 0, 1]]) @ homography_of(CAMERA, 0.0, 0.0)
+    view = OutlinePlate((SIDE, SIDE)).find(seen(picture(shifted, Clip(fiducials=False))))
+    assert view.homography is None
+    assert view.reason == OUTLINE_CROPPED
 
 
 def test_fiducials_that_are_covered_make_a_view_uncertain() -> None:

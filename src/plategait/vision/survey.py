@@ -127,6 +127,7 @@ def _plate_of(frames: list[Frame], setup: Setup) -> tuple[PlateFinder, list[Plat
     }
     ways = ("fiducials", "scale" if setup.scale else "outline") if setup.plate == "auto" else (setup.plate,)
     fiducials: tuple[FiducialPlate | None, list[PlateView]] = None, []
+    outlines: list[PlateView] = []
     for way in ways:
         try:
             finder = makers[way]()
@@ -138,9 +139,11 @@ def _plate_of(frames: list[Frame], setup: Setup) -> tuple[PlateFinder, list[Plat
         if isinstance(finder, FiducialPlate):
             fiducials = finder, views
             check_size(views, setup)
+        elif isinstance(finder, OutlinePlate):
+            outlines = views
         if sum(not v.reason for v in views) >= min(LEAST_SURE, len(frames)):
             return finder, views
-    raise no_plate(ways, frames, fiducials[1], fiducials[0])
+    raise no_plate(ways, frames, fiducials[1], outlines, fiducials[0])
 
 
 def _lens_of(views: list[PlateView], calibration: Calibration | None, picture: tuple[int, int]) -> Array | None:

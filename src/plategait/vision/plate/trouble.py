@@ -14,6 +14,7 @@ from plategait.camera.fiducials import MODULES
 from plategait.errors import InputError
 from plategait.vision.frames import Frame
 from plategait.vision.plate.fiducials import FiducialPlate
+from plategait.vision.plate.outline import OUTLINE_CROPPED
 from plategait.vision.plate.sharpness import sharpness
 from plategait.vision.plate.view import PlateView, homography, project
 from plategait.vision.setup import Setup
@@ -35,7 +36,11 @@ class NothingSeenError(InputError):
 
 
 def no_plate(
-    ways: Sequence[str], frames: list[Frame], views: list[PlateView], finder: FiducialPlate | None
+    ways: Sequence[str],
+    frames: list[Frame],
+    views: list[PlateView],
+    outlines: list[PlateView],
+    finder: FiducialPlate | None,
 ) -> NothingSeenError:
     """Say why no plate was found in these frames.
 
@@ -46,6 +51,8 @@ def no_plate(
     frames : list of Frame
     views : list of PlateView
         What fiducials showed in them; empty where none were looked for.
+    outlines : list of PlateView
+        What outlines did.
     finder : FiducialPlate, optional
         Who looked for them.
     """
@@ -65,6 +72,11 @@ def no_plate(
         )  # fmt: skip
     if finder is not None and single:
         return _few_fiducials(single, _cropped(finder, single, frames[0].luma.shape))
+    if sum(v.reason == OUTLINE_CROPPED for v in outlines) > len(outlines) / 2:
+        return NothingSeenError(
+            "video", "no plate whose four edges are in the picture: what may be one is cropped by the picture's edge",
+            "a clip that shows the whole plate", "the camera further away, or fiducials printed with plategait target",
+        )  # fmt: skip
     return NothingSeenError(
         "video", f"nothing like a plate ({' or '.join(ways)}) in the frames looked at",
         "a clip that shows the whole plate",
