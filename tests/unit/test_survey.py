@@ -139,6 +139,7 @@ def test_doubt_is_the_scatter_of_fits_to_noisy_corners(seen: tuple[int, ...], le
         (lambda luma: cv2.GaussianBlur(luma, (0, 0), 5), "blurred over"),
         (covered(0, 1, 2), "covered or unreadable"),
         (lambda luma: np.full_like(luma, 90), "nothing like a plate"),
+        (lambda luma: np.where(np.arange(640) // 40 % 2, 50, 180).astype(np.uint8) + 0 * luma, "nothing like a plate"),
         (covered(0, 1, 2, 3), "nothing like a plate"),
     ],
 )
@@ -165,8 +166,26 @@ def test_a_plate_that_comes_into_view_late_is_found_and_earlier_frames_are_uncer
     assert reader.object.methods == ("markers",)
     assert (len(passed), len(survey.frames)) == (60, 30)
     assert not any(f.luma.size for f in passed)
-    with pytest.raises(InputError, match="5 frames"):
+    with pytest.raises(InputError, match="frames: 5"):
         learnt(iter(blank[:5]), SETUP)
+
+
+def test_a_hand_over_the_markers_at_first_does_not_hide_them_for_good(frames: list[Frame]) -> None:
+    def under_a_hand(frame: Frame, k: int) -> Frame:
+        luma, chroma = frame.luma.copy(), [plane.copy() for plane in frame.chroma]
+        middle = project(LEVEL, np.array([0.002 * (k % 5 - 2), 0.0]))
+        for plane, level, scale in ((luma, 150, 1), (chroma[0], 105, 2), (chroma[1], 150, 2)):
+            at = np.round(middle / scale).astype(int)
+            cv2.ellipse(plane, (int(at[0]), int(at[1])), (110 // scale, 80 // scale), 20, 0, 360, (level,), -1)
+        return replace(frame, luma=luma, chroma=(chroma[0], chroma[1]))
+
+    hidden = [under_a_hand(f, k) for k, f in enumerate([*frames, *frames])]
+    reader, survey, passed = learnt(iter([*hidden, *frames]), SETUP)
+    assert reader.methods == ("markers",)
+    assert len(passed) + len(survey.frames) == 90
+    # One that has none is followed without them.
+    reader, survey, passed = learnt(iter(hidden), SETUP)
+    assert reader.methods == ("texture", "outline")
 
 
 def test_a_sharp_edge_is_sharp_and_one_smeared_one_way_is_not() -> None:

@@ -80,15 +80,35 @@ def learnt(frames: Iterator[Frame], setup: Setup) -> tuple[PoseReader, Survey, l
     """
     passed: list[Frame] = []
     trouble: NothingSeenError | None = None
-    for batch in batches(frames):
+    every = batches(frames)
+    for batch in every:
         try:
             survey = surveyed(batch, setup)
-            return PoseReader(survey, setup), survey, passed
+            reader = PoseReader(survey, setup)
         except NothingSeenError as error:
             trouble = trouble or error
-        passed += [without_picture(frame) for frame in batch]
+            passed += [without_picture(frame) for frame in batch]
+            continue
+        if reader.markers is None and setup.object == "auto":
+            reader, survey = _second_look(reader, survey, next(every, []), setup)
+        return reader, survey, passed
     if len(passed) < FEWEST_SURE:
-        raise InputError("video", f"{len(passed)} frames", f"at least {FEWEST_SURE}, and better two seconds of them",
+        raise InputError("video", f"frames: {len(passed)}", f"at least {FEWEST_SURE}, and better two seconds of them",
                          "a longer clip")  # fmt: skip
     assert trouble is not None
     raise trouble
+
+
+def _second_look(reader: PoseReader, survey: Survey, batch: list[Frame], setup: Setup) -> tuple[PoseReader, Survey]:
+    """Look at further frames before an object is taken for one without markers: a hand may have lain over them."""
+    if not batch:
+        return reader, survey
+    try:
+        later = surveyed(batch, setup)
+        other = PoseReader(later, setup)
+    except InputError:
+        views, other = [reader.plate.find(frame) for frame in batch], reader
+    else:
+        views = later.views
+    better = other if other.markers is not None else reader
+    return better, Survey(survey.frames + batch, better.plate, survey.views + views)

@@ -26,6 +26,8 @@ MOVED, LEAST_MOVED = 12, 0.003
 # Edges that are softer than this share of the picture's width, and than so many pixels, are blurred; sharp ones measure
 # up to four and a half.
 BLURRED_SHARE, BLURRED_PIXELS = 0.009, 5.2
+# Less sharp than this is no edge that way at all.
+LEAST_SHARP = 0.02
 # A plate's sides that fiducials show are told from those that were typed where they differ by this share, and by what
 # so many pixels are of a fiducial's side.
 OTHER_SIZE, OTHER_PIXELS = 0.03, 0.8
@@ -137,7 +139,7 @@ def _blur(frames: list[Frame]) -> float | None:
             continue
         near = np.asarray(cv2.dilate(moved, np.ones((9, 9), np.uint8)) > 0, dtype=bool)
         sharp = sharpness(frame.luma, near)
-        if sharp > 0:
+        if sharp > LEAST_SHARP:
             widths.append(1 / sharp)
     if not widths:
         return None
