@@ -289,7 +289,7 @@ def answers(files) -> dict[str, object]:
         "plategait.campaign.figures.plot_campaign": Figure(),
         "plategait.campaign.run.sweep": open_sweep(files / "done.zarr"),
         "plategait.optimize.optimize.optimize_motion": optimize_motion(
-            cheese.replace(duration=0.4), effort=Effort(8, Generations(6, 3), Generations(6, 3), test=4)
+            cheese.replace(duration=0.4), effort=Effort(8, (Generations(6, 3),), test=4)
         ),
         "plategait.moves.atlas.atlas": small_atlas(),
         "plategait.moves.figures.plot_atlas": Figure(),

@@ -202,7 +202,8 @@ def _print(optimum: Optimum, s: dict[str, Any]) -> None:
         ]  # fmt: skip
         report.print_table("by search", ["seed", "spin rate", "frequency", "A_p", "B_p", "failed"], rows)
     if not optimum.reached:
-        print(f"NOT REACHED: {s['goal']}; a wider range, or another machine")
+        what = "NOTHING SPINS" if optimum.goal.fastest else f"NOT REACHED: {s['goal']}"
+        print(f"{what}; try wider ranges, --free phase,offset or another machine")
 
 
 def _rate(s: dict[str, Any]) -> str:

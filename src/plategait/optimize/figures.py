@@ -39,9 +39,10 @@ def plot_optimum(optimum: Optimum) -> Figure:
     for unused in axes[panels:]:
         unused.set_visible(False)
     trial = optimum.trial
+    rate = f"{math.degrees(trial.spin_rate):.0f} deg/s" if trial.counted else "every run fails"
     figure.suptitle(
-        f"{optimum.scenario.name} on {optimum.machine.name}, {optimum.goal.words}: "
-        f"{math.degrees(trial.spin_rate):.0f} deg/s at {trial.motion.frequency:.1f} Hz", fontsize=10,
+        f"{optimum.scenario.name} on {optimum.machine.name}, {optimum.goal.words}: {rate} "
+        f"at {trial.motion.frequency:.1f} Hz", fontsize=10,
     )  # fmt: skip
     return figure
 

@@ -36,6 +36,8 @@ bending
 
 SHARE, LEAST_VELOCITY, LEAST_RATE = 0.03, 5e-3, math.radians(5)
 """A velocity is reached within this share of it, and within as much in any case: m/s and rad/s."""
+AIMED = 0.5
+"""Share of that within which a search keeps, so that runs from other starts reach it too."""
 _COMPONENTS = ("along", "across", "spin")
 
 

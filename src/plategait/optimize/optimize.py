@@ -107,7 +107,7 @@ def optimize_motion(
     effort = effort or usual_effort(space, chance_of_failure, confidence)
     chances = {"permitted": chance_of_failure, "confidence": confidence}
     wanted = _identity(objects, space, [repr(goal), repr(effort), chances, searches, seed, engine])
-    expected = searches * effort.expected(bool(free)) + 2 * AROUND * len(space.variables) + CONFIRMED * FINER
+    expected = searches * effort.expected + 2 * AROUND * len(space.variables) + CONFIRMED * FINER
     tally = Tally(progress, expected)
     with open_diary(Path(store) if store is not None else None, wanted) as diary:
         bench = Bench(tuple(objects[1:] or objects), shaker, seed, engine, diary, threads, tally)

@@ -11,7 +11,7 @@ import numpy as np
 from plategait.model.machine import Machine
 from plategait.model.scenario import Scenario
 from plategait.model.scenario_file import write_scenario
-from plategait.optimize.goal import Goal
+from plategait.optimize.goal import LEAST_RATE, LEAST_VELOCITY, Goal
 from plategait.optimize.proof import standing
 from plategait.optimize.ranking import largest_chance, least_chance
 from plategait.optimize.search import Found
@@ -90,22 +90,23 @@ class Optimum:
 
     @property
     def reached(self) -> bool:
-        """Whether what was sought is reached: a spin above nothing, or the velocity that was asked for."""
+        """Whether what was sought is reached: a spin that counts as one, or the velocity that was asked for."""
         if self.goal.fastest:
-            return bool(abs(self.trial.spin_rate) - self.trial.half_width[2] > 0)
+            return bool(abs(self.trial.spin_rate) > LEAST_RATE)
         return self.goal.deviation(self.trial.twist) <= 1
 
     @property
     def confirmed(self) -> bool:
         """Whether the motion does the same at a tenth of the time step.
 
-        Its velocity is within 5 % of what it was, and within what the starts leave uncertain of either, and it does not
-        fail more often than is permitted, as far as so few runs can tell.
+        Its velocity is within 5 % of what it was, or 5 mm/s and 5 deg/s, and what the starts leave uncertain of either;
+        and it does not fail more often than is permitted, as far as so few runs can tell.
         """
         fine, usual = self.confirmation, self.trial
         if not fine.counted or not usual.counted:
             return False
-        allowed = 0.05 * abs(usual.twist) + np.nan_to_num(fine.half_width + usual.half_width)
+        least = np.array([LEAST_VELOCITY, LEAST_VELOCITY, LEAST_RATE])
+        allowed = np.maximum(0.05 * abs(usual.twist), least) + np.nan_to_num(fine.half_width + usual.half_width)
         components = [self._sought(i) for i in range(3)]
         near = bool((np.abs(fine.twist - usual.twist) <= allowed)[components].all())
         return near and least_chance(fine.failed, fine.runs, self.confidence) <= self.permitted

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.optimize.goal import Goal
+from plategait.optimize.goal import AIMED, Goal
 from plategait.optimize.trials import Trial
 
 
-def ranks(trials: Sequence[Trial], goal: Goal, allowed: float = 1.0) -> Array:
+def ranks(trials: Sequence[Trial], goal: Goal, allowed: float = AIMED) -> Array:
     """(n,) place of each trial, 0 for the best: what an evolution strategy may be told, which does not see NaN.
 
     Those none of whose runs failed come first: of a goal to reach, those that reach it by their cost, then the others
@@ -24,7 +24,7 @@ def ranks(trials: Sequence[Trial], goal: Goal, allowed: float = 1.0) -> Array:
     trials : sequence of Trial
     goal : Goal
     allowed : float
-        Deviation up to which a goal counts as reached: 1 in the end, and more while a search may still look around.
+        Deviation up to which a goal counts as reached: more while a search may still look around.
     """
     keys = [_key(trial, goal, allowed) for trial in trials]
     places = np.empty(len(keys))

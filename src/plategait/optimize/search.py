@@ -16,7 +16,7 @@ from scipy.stats import qmc
 
 from plategait.arrays import Array, Flags
 from plategait.model.motion import PlateMotion
-from plategait.optimize.goal import Goal
+from plategait.optimize.goal import AIMED, Goal
 from plategait.optimize.proof import HEATS, Proof, better, prove
 from plategait.optimize.ranking import ranks, runs_without_failure
 from plategait.optimize.space import Space
@@ -67,21 +67,21 @@ class Effort:
     ----------
     first : int
         Motions spread over the space, one run each.
-    at_rest, freed : Generations
-        Of the strategy with all freedoms at rest, and of the one with them; the latter alone where there are none.
+    stages : tuple of Generations
+        Of the strategy with all freedoms at rest, and of one more with each freedom in turn (`Space.stages`).
     test : int
         Runs of the test, in none of which the object may fail.
     """
 
     first: int
-    at_rest: Generations
-    freed: Generations
+    stages: tuple[Generations, ...]
     test: int
 
-    def expected(self, has_freedoms: bool) -> int:
-        """Runs of a search all of whose proofs succeed at once."""
+    @property
+    def expected(self) -> int:
+        """Runs of a search all of whose proofs succeed at once: that of its best, and of the best without freedoms."""
         proof = sum(motions * runs for motions, runs in HEATS) + self.test
-        return self.first + self.freed.runs + proof + (self.at_rest.runs + proof if has_freedoms else 0)
+        return self.first + sum(stage.runs for stage in self.stages) + proof * min(len(self.stages), 2)
 
 
 def usual_generations(variables: int) -> Generations:
@@ -92,10 +92,9 @@ def usual_generations(variables: int) -> Generations:
 
 def usual_effort(space: Space, permitted: float, confidence: float) -> Effort:
     """Effort for a space and what is to be bounded."""
-    variables, at_rest = len(space.variables), int(np.isnan(space.neutral).sum())
-    first = 64 + 32 * max(variables - 3, 0)
-    test = runs_without_failure(permitted, confidence)
-    return Effort(first, usual_generations(at_rest), usual_generations(variables), test)
+    first = 64 + 32 * max(len(space.variables) - 3, 0)
+    stages = tuple(usual_generations(int(varies.sum())) for varies in space.stages)
+    return Effort(first, stages, runs_without_failure(permitted, confidence))
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,21 +150,27 @@ class _Search:
         self.runs = self.batch = 0
 
     def run(self) -> Found:
-        """All of it: where freedoms were asked for, first with them at rest, then with them from the best there is."""
-        neutral = self.space.neutral
-        every, plain = np.ones(len(neutral), dtype=bool), ~np.isfinite(neutral)
+        """All of it: first with all freedoms at rest, then with one more of them in turn from the best there is."""
         first = self._try(spread(self.space, self.effort.first, self.seed), 1)
-        at_rest, last = None, []
-        if plain.any() and not plain.all():
-            rested = [trial for trial in first if (trial.shares == neutral)[~plain].all()]
-            last = self._evolve(rested, plain, self.effort.at_rest)
-            at_rest = self._proved([t for t in self.trials if (t.shares == neutral)[~plain].all()])
-            first = [trial for trial in first if (trial.shares != neutral)[~plain].any()]
-        self._evolve(first, every, self.effort.freed, last)
+        stages = self.space.stages
+        rested, roamed = [t for t in first if self._rests(t)], [t for t in first if not self._rests(t)]
+        if len(stages) == 1:
+            self._evolve(first, stages[0], self.effort.stages[0])
+            return Found(self._proved(self.trials), None, tuple(self.trials), self.runs, self.seed)
+        last = self._evolve(rested, stages[0], self.effort.stages[0])
+        at_rest = self._proved([trial for trial in self.trials if self._rests(trial)])
+        for varies, generations in zip(stages[1:], self.effort.stages[1:], strict=True):
+            # The spread with freedoms has all of them: only the last strategy can go on from there.
+            last = self._evolve(roamed if varies.all() else [], varies, generations, last)
         best = self._proved(self.trials)
-        if at_rest is not None and better(at_rest, best, self.goal):
+        if better(at_rest, best, self.goal):
             best = at_rest
         return Found(best, at_rest, tuple(self.trials), self.runs, self.seed)
+
+    def _rests(self, trial: Trial) -> bool:
+        """Whether all freedoms are at rest in a trial."""
+        neutral = self.space.neutral
+        return bool((np.isnan(neutral) | (trial.shares == neutral)).all())
 
     def _evolve(
         self, first: Sequence[Trial], varies: Flags, generations: Generations, evolved: Sequence[Trial] = ()
@@ -175,10 +180,11 @@ class _Search:
         Its first steps are half of what parts the motions of the spread, or short ones about where the other ended.
         The variables (d,) that do not vary stay as they are there.
         """
-        allowed, dimension = self._allowed(first, generations.count), int(varies.sum())
+        allowed, dimension = self._allowed([*first, *evolved], generations.count), int(varies.sum())
         both = [*first, *evolved]
         best = int(ranks(both, self.goal, allowed[0]).argmin())
-        start, step = both[best].shares, SHORT if best >= len(first) else 0.5 * self.effort.first ** (-1 / dimension)
+        start, is_evolved = both[best].shares, best >= len(first)
+        step = SHORT if is_evolved else 0.5 * self.effort.first ** (-1 / dimension)
         strategy = evolution_strategy(
             np.clip(start[varies], _EDGE, 1 - _EDGE), step, [0.0] * dimension, [1.0] * dimension,
             generations.population, self.seed, "optimize",
@@ -200,9 +206,9 @@ class _Search:
         narrowed down upon; in the last third only what is reached (the ε-constrained method of Takahama and Sakai).
         """
         stays = [self.goal.deviation(trial.twist) for trial in first if not trial.failed and trial.counted]
-        begin = max(1.0, float(np.quantile(stays, LOOSE))) if stays else 1.0
+        begin = max(AIMED, float(np.quantile(stays, LOOSE))) if stays else AIMED
         progress = np.arange(count) * len(STARTS) / (count * (len(STARTS) - 1))
-        return 1 + (begin - 1) * np.maximum(1 - progress, 0.0) ** 2
+        return AIMED + (begin - AIMED) * np.maximum(1 - progress, 0.0) ** 2
 
     def _try(self, shares: Sequence[Array], runs: int) -> list[Trial]:
         made = self._made([(each, self.space.at(each)) for each in shares], runs)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
-from plategait.arrays import Array
+from plategait.arrays import Array, Flags
 from plategait.errors import InputError
 from plategait.model.machine import Machine
 from plategait.model.motion import AXES, Held, PlateMotion, Wave
@@ -21,7 +21,7 @@ FREEDOMS: tuple[Freedom, ...] = ("phase", "ratio", "harmonics", "offset", "y", "
 """What may vary beside the frequency and the two amplitudes, where asked for.
 
 phase
-    Of the shaking along the bar behind the rocking about it.
+    By which the shaking along the bar is ahead of the rocking about it.
 ratio
     Frequency of the shaking over that of the rocking, one of `RATIOS`.
 harmonics
@@ -60,6 +60,8 @@ class Variable:
         The only values that it takes, where there are such.
     neutral : float, optional
         Value at which it changes nothing.
+    freedom : str
+        Which freedom it belongs to; none for what always varies.
     """
 
     name: str
@@ -69,6 +71,7 @@ class Variable:
     log: bool = False
     steps: tuple[float, ...] = ()
     neutral: float | None = None
+    freedom: str = ""
 
     def at(self, share: float) -> float:
         """Value at a share of the range, 0 to 1."""
@@ -124,6 +127,19 @@ class Space:
     def neutral(self) -> Array:
         """(d,) shares at which the freedoms change nothing; NaN for what always varies."""
         return np.array([math.nan if v.neutral is None else v.share_of(v.neutral) for v in self.variables])
+
+    @property
+    def stages(self) -> list[Flags]:
+        """(d,) variables that vary with all freedoms at rest, and with one more freedom in turn; the last time all."""
+        freedoms = np.array([variable.freedom for variable in self.variables])
+        names = dict.fromkeys(filter(None, freedoms.tolist()))
+        varies, stages = freedoms == "", [freedoms == ""]
+        if not varies.any():
+            return [~varies]
+        for name in names:
+            varies = varies | (freedoms == name)
+            stages.append(varies)
+        return stages
 
     def _built(self, values: Mapping[str, float]) -> PlateMotion:
         frequency, waves = values["frequency"], list(self.base.waves)
@@ -199,7 +215,7 @@ def space_of(
     if both_ways and reach["angle"] > 0:
         variables.append(Variable("sense", _RATIO, -1.0, 1.0, steps=(-1.0, 1.0)))
     for freedom in dict.fromkeys(free):
-        variables += _freed(freedom, machine, reach)
+        variables += [replace(variable, freedom=freedom) for variable in _freed(freedom, machine, reach)]
     return Space(tuple(variables), fixed, base, machine)
 
 
