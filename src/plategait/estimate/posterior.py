@@ -59,7 +59,7 @@ class Effort:
     most_rounds: int = 3
     good_enough: float = 0.3
     near: float = 8.0
-    model_sets: int = 24
+    model_sets: int = 16
     walkers: int = 96
     steps: int = 400
     burn_in: int = 200
