@@ -4,6 +4,7 @@
 # make test-kernels  run what leans on linear algebra with another kernel of OpenBLAS than the processor's own
 # make lint   ruff, clang-format, pyright, import-linter
 # make bench  the speed report
+# make bench-peers  the same sheets through MuJoCo's batch and through ours
 # make fuzz   thousands of random scenarios and commands: none may crash, hang or answer with nonsense
 # make sanitize   the engine's tests and random scenarios on a core that reports every wrong access
 
@@ -14,7 +15,7 @@ BIN := .venv/bin
 PYTEST := OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
 SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 
-.PHONY: demo test test-fast test-kernels lint bench fuzz sanitize clean always
+.PHONY: demo test test-fast test-kernels lint bench bench-peers fuzz sanitize clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
@@ -59,6 +60,13 @@ lint: .venv/installed-lint
 
 bench: .venv/installed
 	$(BIN)/python -m benchmarks
+
+.venv/installed-peers: .venv/installed
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[peers]'
+	touch $@
+
+bench-peers: .venv/installed-peers
+	$(BIN)/python -m benchmarks.peers
 
 fuzz: .venv/installed
 	$(BIN)/python -m benchmarks.fuzz --scenarios 12000 --commands 500 --edges 1000 --seed 1

@@ -29,6 +29,12 @@ if TYPE_CHECKING:
     from plategait.estimate.planning import next_measurement as next_measurement
     from plategait.estimate.result import Estimate as Estimate
     from plategait.estimate.result import estimate_parameters as estimate_parameters
+    from plategait.export.bag import write_bag as write_bag
+    from plategait.export.mjcf.scene import mjcf as mjcf
+    from plategait.export.mjcf.scene import write_mjcf as write_mjcf
+    from plategait.export.trajectory import Trajectory as Trajectory
+    from plategait.export.trajectory import trajectory as trajectory
+    from plategait.export.trajectory_file import write_trajectory as write_trajectory
     from plategait.model.contact import Contact as Contact
     from plategait.model.contact import Friction as Friction
     from plategait.model.fragment import Fragment as Fragment
@@ -82,6 +88,10 @@ _HOMES = {
     "errors": ("InputError",),
     "estimate.planning": ("next_measurement",),
     "estimate.result": ("Estimate", "estimate_parameters"),
+    "export.bag": ("write_bag",),
+    "export.mjcf.scene": ("mjcf", "write_mjcf"),
+    "export.trajectory": ("Trajectory", "trajectory"),
+    "export.trajectory_file": ("write_trajectory",),
     "model.contact": ("Contact", "Friction"),
     "model.fragment": ("Fragment", "read_fragment", "write_fragment"),
     "model.machine": ("MACHINES", "Machine", "machine_of"),

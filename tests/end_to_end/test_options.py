@@ -50,6 +50,9 @@ def but(options: dict[str, Typed], *names: str) -> dict[str, Typed]:
 
 
 JSON = typed(json="")
+MOVED = typed(
+    rate="2 kHz", machine="shaker.toml", duration="1 s", frequency="20 Hz", angle="2 deg", stroke="2 mm", json=""
+)  # fmt: skip
 FRAGMENT = typed(out="o.toml", plot="p.png", json="")
 WINDOW = typed(_from="0.02 s", to="0.2 s")
 OBJECT = typed(natural_frequency="8 Hz", angle="5 deg", stroke="2 mm", mu_s="0.6", mu_k="0.3", _with="measured.toml")
@@ -98,6 +101,11 @@ MODES = [
     Mode(("curve", "--frequency", "22:24:1Hz", "--duration", "0.1 s"), JSON, ()),
     Mode(("curve", "--frequency", "22:24:1Hz", *SHORT, "--repeats", "3"), typed(seed="4"), ()),
     Mode(("fit", "peak.csv"), typed(plot="p.png", json="")),
+    Mode(("export", "--out", "m.csv", "--frequency", "12 Hz"), MOVED | typed(out="n.csv", cycle="")),
+    Mode(("export", "--out", "m.csv", "--cycle"), JSON, ("--duration",)),
+    Mode(("export", "--out", "m.xml"),
+         typed(out="n.xml", form="shell", dt="5e-5 s", frequency="20 Hz", angle="2 deg", stroke="2 mm", json="")),
+    Mode(("export", "--out", "m.mcap", "--frequency", "12 Hz"), MOVED | typed(out="n.mcap", joints="a,b", topic="/to")),
     Mode(("modes",), typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
     Mode(("needs",), typed(machine="shaker.toml", frequency="20 Hz", angle="5 deg", stroke="2 mm", json="")),
     Mode(("optimize",), OPTIMIZE, ("--least", "--draws")),
@@ -286,6 +294,8 @@ def answers(files) -> dict[str, object]:
         "plategait.estimate.planning.next_measurement": plan,
         "plategait.estimate.prediction.predict": None,
         "plategait.estimate.figures.plot_estimate": Figure(),
+        "plategait.export.bag.check_bag": None,
+        "plategait.export.bag.write_bag": None,
         "plategait.campaign.figures.plot_campaign": Figure(),
         "plategait.campaign.run.sweep": open_sweep(files / "done.zarr"),
         "plategait.optimize.optimize.optimize_motion": optimize_motion(
@@ -365,7 +375,8 @@ def run(files, answers, tmp_path, monkeypatch, capsys):
         lines = [" ".join(line.replace("─", "").split()) for line in out.splitlines()]
         printed = [line for line in lines if "speed" not in line and "wall" not in line]
         new = [p for p in folder.rglob("*") if not p.is_symlink() and p.is_file()]
-        written = {str(p.relative_to(folder)): p.read_text() if p.suffix in (".csv", ".toml") else "" for p in new}
+        text = (".csv", ".toml", ".xml")
+        written = {str(p.relative_to(folder)): p.read_text() if p.suffix in text else "" for p in new}
         return Seen(end.value.code, err, printed, written, list(asked))
 
     return once

@@ -12,6 +12,7 @@ from typer.exceptions import TyperException
 from plategait.cli.command import Command, usage_line
 from plategait.cli.curve import curve, fit
 from plategait.cli.estimate import estimate
+from plategait.cli.export import export
 from plategait.cli.identify.commands import identify
 from plategait.cli.modes import modes
 from plategait.cli.moves import moves
@@ -53,6 +54,7 @@ def root(
 app.command(cls=Command)(simulate)
 app.command(cls=Command)(curve)
 app.command(cls=Command)(fit)
+app.command(cls=Command)(export)
 app.command(cls=Command)(modes)
 app.command(name="needs", cls=Command)(needs_command)
 app.command(cls=Command)(optimize)

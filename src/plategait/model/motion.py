@@ -146,6 +146,9 @@ class Held(Model):
 def read_samples(path: Path, field: str = "samples") -> Samples:
     """Read a trajectory from CSV with the columns time_s and any of x_mm, y_mm, z_mm, rx_deg, ry_deg, rz_deg.
 
+    Speeds and accelerations beside them, as `plategait export` writes them (x_mm_s, x_mm_s2), are left out: they are
+    those of the spline through the positions.
+
     Parameters
     ----------
     path : Path
@@ -163,6 +166,9 @@ def read_samples(path: Path, field: str = "samples") -> Samples:
     }
     rows = [row for _, row in read_rows(path, field, '"motion.csv"')[0]]
     names = rows.pop(0) if rows else []
+    if slopes := {f"{name}{per}" for name in names for per in ("_s", "_s2") if name in scale}:
+        rows = [[cell for name, cell in zip(names, row, strict=False) if name not in slopes] for row in rows]
+        names = [name for name in names if name not in slopes]
     if "time_s" not in names or not set(names) <= set(scale) or len(set(names)) < len(names):
         said = ", ".join(names) if set(names) & set(scale) else f"{len(names)} of no known name" if names else "none"
         raise InputError(field, f"columns {said} in {path.name}",
