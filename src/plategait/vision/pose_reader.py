@@ -89,7 +89,7 @@ def learnt(frames: Iterator[Frame], setup: Setup) -> tuple[PoseReader, Survey, l
             trouble = trouble or error
             passed += [without_picture(frame) for frame in batch]
             continue
-        if reader.markers is None and setup.object == "auto":
+        if reader.object.markers is None and setup.object == "auto":
             reader, survey = _second_look(reader, survey, next(every, []), setup)
         return reader, survey, passed
     if len(passed) < FEWEST_SURE:
@@ -110,5 +110,5 @@ def _second_look(reader: PoseReader, survey: Survey, batch: list[Frame], setup: 
         views, other = [reader.plate.find(frame) for frame in batch], reader
     else:
         views = later.views
-    better = other if other.markers is not None else reader
+    better = other if other.object.markers is not None else reader
     return better, Survey(survey.frames + batch, better.plate, survey.views + views)
