@@ -181,11 +181,11 @@ def test_a_hand_over_the_markers_at_first_does_not_hide_them_for_good(frames: li
 
     hidden = [under_a_hand(f, k) for k, f in enumerate([*frames, *frames])]
     reader, survey, passed = learnt(iter([*hidden, *frames]), SETUP)
-    assert reader.methods == ("markers",)
+    assert reader.object.methods == ("markers",)
     assert len(passed) + len(survey.frames) == 90
     # One that has none is followed without them.
     reader, survey, passed = learnt(iter(hidden), SETUP)
-    assert reader.methods == ("texture", "outline")
+    assert reader.object.methods == ("texture", "outline")
 
 
 def test_a_sharp_edge_is_sharp_and_one_smeared_one_way_is_not() -> None:
