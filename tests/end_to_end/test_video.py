@@ -35,15 +35,13 @@ def test_the_full_circle(tmp_path):
 
     with ThreadPoolExecutor(2) as pool:
         list(pool.map(shoot, FREQUENCIES))
-    plategait("track-folder", "clips", "--out", "curve.csv", cwd=tmp_path, check=0)
+    plategait("track-folder", "clips", "--plate-size", "120 mm", "--out", "curve.csv", cwd=tmp_path, check=0)
     assert json.loads(plategait("fit", "curve.csv", "--json", cwd=tmp_path).stdout)
     done = plategait(
         "estimate",
         "curve.csv",
         "--beta",
         f"{BETA}",
-        "--duration",
-        "1 s",
         "--json",
         "--out",
         "object.toml",

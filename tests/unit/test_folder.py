@@ -70,7 +70,7 @@ def test_each_clip_has_its_frequency_and_a_bad_one_costs_no_other(tmp_path, monk
         seen = {"IMG_2": PlateSwing(16.0, 0.1, None, 900.0), "IMG_3": PlateSwing(10.0, 0.1, None, 900.0, (20.0, 40.0))}
         plate = seen.get(path.stem, UNSEEN)
         frequency = setup.plate_frequency or (plate.frequency if plate.certain else math.nan)
-        seen_of_it = {"spin": rate, "failure": "", "findings": findings, "time": [0.0, 2.0]}
+        seen_of_it = {"spin": rate, "failure": "", "findings": findings, "true_to_scale": True, "time": [0.0, 2.0]}
         return SimpleNamespace(plate_frequency=frequency, plate=plate, **seen_of_it)
 
     monkeypatch.setattr("plategait.vision.folder.track", track)

@@ -201,21 +201,25 @@ def curve_of_clips(clips: list[Clip], name: str) -> Curve:
     def half(high: float, low: float) -> float:
         return (high - low) / (2 * HALF_95)
 
+    def length(of: Callable[[Track], float], *, failed: bool = False) -> np.ndarray:
+        """The same of what is measured by the plate's size: of none where that may be another."""
+        return each(lambda t: of(t) if t.true_to_scale else math.nan, failed=failed)
+
     values = {
-        "velocity_x": each(lambda t: t.findings.velocity.x),
-        "velocity_y": each(lambda t: t.findings.velocity.y),
-        "rim_lift": each(lambda t: t.findings.rim_lift[0]),
+        "velocity_x": length(lambda t: t.findings.velocity.x),
+        "velocity_y": length(lambda t: t.findings.velocity.y),
+        "rim_lift": length(lambda t: t.findings.rim_lift[0]),
     }
     sds = {
-        "velocity_x": each(lambda t: t.findings.velocity.x_half / HALF_95),
-        "velocity_y": each(lambda t: t.findings.velocity.y_half / HALF_95),
-        "rim_lift": each(lambda t: t.findings.rim_lift[1]),
+        "velocity_x": length(lambda t: t.findings.velocity.x_half / HALF_95),
+        "velocity_y": length(lambda t: t.findings.velocity.y_half / HALF_95),
+        "rim_lift": length(lambda t: t.findings.rim_lift[1]),
     }
     of_object = {
-        "radius": each(lambda t: t.findings.radius[0], failed=True),
-        "radius_sd": each(lambda t: t.findings.radius[1], failed=True),
-        "area": each(lambda t: t.findings.area[0], failed=True),
-        "area_sd": each(lambda t: t.findings.area[1], failed=True),
+        "radius": length(lambda t: t.findings.radius[0], failed=True),
+        "radius_sd": length(lambda t: t.findings.radius[1], failed=True),
+        "area": length(lambda t: t.findings.area[0], failed=True),
+        "area_sd": length(lambda t: t.findings.area[1], failed=True),
     }
     return Curve(
         name=name,

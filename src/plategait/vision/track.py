@@ -35,7 +35,8 @@ LEAST_TURN = math.radians(10)
 # Why no frame is sure of a clip whose orientation gives no rate.
 NO_RATE = "no spin rate agrees with it"
 # Markers are like ours where the scales of both agree within this, of the logarithm; another scale than 1 is noted.
-LIKE_OURS, OTHER_SCALE = 0.12, 0.2
+LIKE_OURS, OTHER_SCALE = 0.12, 0.13
+CHECK_SIZE = "if they are those, check --plate-size"
 # Share of the frames whose fiducials are blurred that is worth a note.
 LEAST_BLURRED = 0.1
 FrameCallback = Callable[[Frame, PlateView, Pose], object]
@@ -95,6 +96,11 @@ class Track:
     def drift(self) -> float:
         """Farthest that the outline's middle came from where it was at first, m."""
         return self.findings.departure.drift
+
+    @property
+    def true_to_scale(self) -> bool:
+        """Whether nothing speaks against the plate's size that was told, by which lengths are measured."""
+        return not any(note.endswith(CHECK_SIZE) for note in self.notes)
 
     @property
     def failure(self) -> str:
@@ -270,8 +276,7 @@ def _note_marker_size(tracker: ObjectTracker, notes: list[str]) -> None:
     scale = np.sqrt(tracker.markers.appearance.areas / ours)
     if abs(math.log(scale[0] / scale[1])) < LIKE_OURS and abs(math.log(scale.mean())) > OTHER_SCALE:
         notes.append(
-            f"the object's markers look {scale.mean():.2f} times as large as those of plategait target: "
-            "if they are those, check --plate-size"
+            f"the object's markers look {scale.mean():.2f} times as large as those of plategait target: " + CHECK_SIZE
         )
 
 
