@@ -70,12 +70,15 @@ def noisy(points: Points, noise: float, seed: int) -> dict[float, tuple[float, s
     return {float(f): (rate * (1 + noise * generator.normal()), kind) for f, (rate, kind) in points.items()}
 
 
-def trial(number: int, points: Points, noise: float, told: bool, model_error: float) -> Trial:
+def trial(number: int, points: Points, noise: float, told: bool, model_error: float, any_law: bool) -> Trial:
     """Estimate one object."""
     truth, _ = true_object(number)
     curve = curve_of(noisy(points, noise, number))
     told_noise = noise if told else None
-    return judged(estimate_parameters(curve, BASE, noise=told_noise, model_error=model_error, seed=number), truth)
+    estimate = estimate_parameters(
+        curve, BASE, noise=told_noise, model_error=model_error, any_law=any_law, seed=number
+    )  # fmt: skip
+    return judged(estimate, truth)
 
 
 def judged(estimate: Estimate, truth: np.ndarray) -> Trial:
@@ -103,6 +106,7 @@ def main() -> None:
     parser.add_argument("--model", choices=MODELS, action="append", help="only this one; repeatable")
     parser.add_argument("--noise", type=float, default=0.05)
     parser.add_argument("--model-error", type=float, default=1.0, help="as `plategait estimate` takes it")
+    parser.add_argument("--any-law", action="store_true", help="as `plategait estimate` takes it")
     parser.add_argument("--unknown-noise", action="store_true", help="the estimator is not told the noise")
     parser.add_argument("--curves", type=Path, help="file of rates without noise, written and read: .json")
     parser.add_argument("--only-curves", action="store_true", help="estimate nothing")
@@ -121,7 +125,7 @@ def main() -> None:
                     arguments.curves.write_text(json.dumps(kept))
             if not arguments.only_curves:
                 told = not arguments.unknown_noise
-                trials.append(trial(number, kept[key], arguments.noise, told, arguments.model_error))
+                trials.append(trial(number, kept[key], arguments.noise, told, arguments.model_error, arguments.any_law))
                 if arguments.verbose:
                     print(number, true_object(number)[0], trials[-1], flush=True)
         if trials:

@@ -63,8 +63,8 @@ SHORT, LONGER = ("--duration", "0.1 s", "--json"), ("--duration", "0.4 s", "--js
 POSTERIOR = typed(
     scenario="pancake", _with="measured.toml", stroke="2 mm", angle="5 deg", mass="10 g", radius="30 mm",
     method="linear", beta="0.5", free="mass", noise="5%", duration="3 s", slip_limit="15 mm", ramp="0.2 s",
-    model_error="0.5", confidence="95%", next="", seed="3", want_frequency="1 rad/s", want_angle="1 deg", out="o.toml",
-    plot="p.png", json="", fixed="bending_damping", height="6 mm", thickness="2 mm",
+    model_error="0.5", any_law="", confidence="95%", next="", seed="3", want_frequency="1 rad/s", want_angle="1 deg",
+    out="o.toml", plot="p.png", json="", fixed="bending_damping", height="6 mm", thickness="2 mm",
 )  # fmt: skip
 BENDING = typed(mass="0.3 g", length="11 mm", width="12 mm", no_centripetal="") | WINDOW | FRAGMENT
 PRESS = typed(thickness="3 mm", length="12 mm", offset="", _from="0.004 s", to="0.008 s") | FRAGMENT

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
-FREQUENCIES = ("13.5", "15", "17", "20", "23", "26")
+FREQUENCIES = ("13.5", "15", "17", "20", "22", "25")
 OMEGA_PI, MU_S, BETA = 14.0, 0.84, 0.40 / 0.75
 
 
@@ -37,17 +37,9 @@ def test_the_full_circle(tmp_path):
         list(pool.map(shoot, FREQUENCIES))
     plategait("track-folder", "clips", "--plate-size", "120 mm", "--out", "curve.csv", cwd=tmp_path, check=0)
     assert json.loads(plategait("fit", "curve.csv", "--json", cwd=tmp_path).stdout)
-    done = plategait(
-        "estimate",
-        "curve.csv",
-        "--beta",
-        f"{BETA}",
-        "--json",
-        "--out",
-        "object.toml",
-        cwd=tmp_path,
-        check=0,
-    )
+    # The engine that made the films, on a plate whose height is known.
+    known = ("--beta", f"{BETA}", "--model-error", "0", "--fixed", "bending_damping", "--fixed", "plate_height")
+    done = plategait("estimate", "curve.csv", *known, "--json", "--out", "object.toml", cwd=tmp_path, check=0)
     parameters = json.loads(done.stdout)["parameters"]
     # The errors that the estimator is held to, with β known: half a π rad/s and a degree, here for one object.
     assert parameters["natural_frequency"]["median"] == pytest.approx(OMEGA_PI, abs=0.6)

@@ -115,7 +115,9 @@ def test_clips_tell_how_long_they_are():
     unknown = SimpleNamespace(x=math.nan, y=math.nan, x_half=math.nan, y_half=math.nan)
     nothing = (math.nan, math.nan)
     seen = SimpleNamespace(velocity=unknown, rim_lift=nothing, radius=nothing, area=nothing)
-    track = SimpleNamespace(spin=spin, drift=0.0, time=np.linspace(0.5, 1.5, 31), failure="", findings=seen)
+    track = SimpleNamespace(
+        spin=spin, drift=0.0, time=np.linspace(0.5, 1.5, 31), failure="", findings=seen, true_to_scale=True
+    )
     clips = [Clip(Path("a.mp4"), 14.0, "given", track), Clip(Path("b.mp4"), 16.0, "given", None, "dark")]  # pyright: ignore[reportArgumentType]
     of_clips = curve_of_clips(clips, "clips")
     np.testing.assert_allclose(np.array(of_clips.duration), [1.0, math.nan])

@@ -146,6 +146,9 @@ class MeasurementOptions:
     model_error: Annotated[
         str, typer.Option("--model-error", help="How far the model may be off: 1 as far as other models, 0 not at all.")
     ] = "1"
+    any_law: Annotated[
+        bool, typer.Option("--any-law", help="The law of friction may be the other one: much wider intervals.")
+    ] = False
     confidence: Annotated[str, typer.Option("--confidence", help="Of the intervals: 0.9 or 90%.")] = "90%"
 
     @property
@@ -175,6 +178,7 @@ class MeasurementOptions:
                 confidence=options.read_share(self.confidence, "--confidence"),
                 ramp=None if self.ramp is None else _RAMP.read(self.ramp, "--ramp"),
                 model_error=_MODEL_ERROR.read(self.model_error, "--model-error"),
+                any_law=self.any_law,
                 seed=seed,
                 progress=progress,
             )

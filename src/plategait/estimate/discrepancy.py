@@ -65,9 +65,11 @@ def _with_torsion(scenario: Scenario) -> Scenario:
 
 
 ALTERNATIVES = (
-    Alternative("friction_law", "the other law of friction", _other_friction),
     Alternative("torsion", "joints that resist twisting", _with_torsion),
+    Alternative("friction_law", "the other law of friction", _other_friction),
 )
+WITHIN_THE_LAW = ALTERNATIVES[:1]
+"""Those with the scenario's own law of friction, which a few rates cannot tell from another friction angle."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +113,12 @@ class Discrepancy:
         return self.share * self.run_offs[amplitude]
 
 
-def measure_discrepancy(run: Callable[[Change], EngineRuns], own: EngineRuns, share: float) -> Discrepancy:
+def measure_discrepancy(
+    run: Callable[[Change], EngineRuns],
+    own: EngineRuns,
+    share: float,
+    alternatives: tuple[Alternative, ...] = ALTERNATIVES,
+) -> Discrepancy:
     """Run the alternatives beside our own model.
 
     Parameters
@@ -122,13 +129,15 @@ def measure_discrepancy(run: Callable[[Change], EngineRuns], own: EngineRuns, sh
         By our model.
     share : float
         See `Discrepancy`.
+    alternatives : tuple of Alternative
+        Which are run.
     """
-    others = [run(alternative.applied) for alternative in ALTERNATIVES]
+    others = [run(alternative.applied) for alternative in alternatives]
     coefficients, errors = map(np.stack, zip(*(_change(own, other) for other in others), strict=True))
     scatter = np.sqrt(OWN**2 + np.sum(errors**2, axis=0))
     amplitudes = dict.fromkeys(c.amplitude for c in own.conditions)
     run_offs = {a: math.hypot(*(_shift(own, other, a) for other in others), _own_run_off(own, a)) for a in amplitudes}
-    return Discrepancy(ALTERNATIVES, coefficients, own.u.mean(axis=0), scatter, run_offs, share)
+    return Discrepancy(alternatives, coefficients, own.u.mean(axis=0), scatter, run_offs, share)
 
 
 def _terms(off: Array) -> Array:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
-from plategait.estimate.discrepancy import Change, Discrepancy, measure_discrepancy
+from plategait.estimate.discrepancy import ALTERNATIVES, WITHIN_THE_LAW, Change, Discrepancy, measure_discrepancy
 from plategait.estimate.emulator import SHARPEST_RUN_OFF, RunOffEmulator
 from plategait.estimate.likelihood import LEAST_NOISE, Likelihood, learn
 from plategait.estimate.observations import Observations
@@ -120,6 +120,7 @@ def estimate_posterior(
     *,
     noise: float | None = None,
     model_error: float = 0.0,
+    any_law: bool = False,
     seed: int = 0,
     progress: Progress | None = None,
     effort: Effort | None = None,
@@ -134,6 +135,8 @@ def estimate_posterior(
         Relative noise of the rates that come without a spread of their own; estimated too if left out.
     model_error : float
         How far the model may be off, as a share of what other models change: see `plategait.estimate.discrepancy`.
+    any_law : bool
+        Whether the law of friction may be another one too.
     seed : int
         Of the sampling.
     progress : callable, optional
@@ -157,7 +160,8 @@ def estimate_posterior(
                           seed=seed + before, progress=report)  # fmt: skip
 
     def compared_with_others(own: EngineRuns) -> Discrepancy:
-        return measure_discrepancy(lambda change: run(own.u, first, change), own, model_error)
+        alternatives = ALTERNATIVES if any_law else WITHIN_THE_LAW
+        return measure_discrepancy(lambda change: run(own.u, first, change), own, model_error, alternatives)
 
     def learn_from(runs: EngineRuns, near: NDArray[np.bool_]) -> _Round:
         likelihood = learn(data, runs, near, noise, discrepancy)

@@ -221,6 +221,7 @@ def estimate_parameters(
     confidence: float = CONFIDENCE,
     ramp: float | None = None,
     model_error: float = 1.0,
+    any_law: bool = False,
     seed: int = 0,
     progress: Callable[[float], object] | None = None,
 ) -> Estimate:
@@ -254,8 +255,10 @@ def estimate_parameters(
         Time in which the plate comes to its full swing, s. Not known if left out, whatever the scenario says: where an
         object runs off depends on it.
     model_error : float
-        How far the model may be off: 1 allows for about as much as another law of friction, joints that resist twisting
-        and rigid tiles change the curve, 0 takes the model as right. See `plategait.estimate.discrepancy`.
+        How far the model may be off: 1 allows for about as much as joints that resist twisting and rigid tiles change
+        the curve, 0 takes the model as right. See `plategait.estimate.discrepancy`.
+    any_law : bool
+        Whether the law of friction may be another than the scenario's, too: the intervals grow several times.
     seed : int
         Of the sampling: the same data and seed give the same estimate.
     progress : callable, optional
@@ -277,7 +280,10 @@ def estimate_parameters(
     data = observe_curves(curves, motions or [scenario.motion] * len(curves), Handling(ramp=ramp))
     scenario = _observed_as(scenario, curves)
     parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed, measured=measured)
-    posterior = estimate_posterior(data, parameters, noise=noise, model_error=model_error,
+    if any_law and not model_error:
+        raise InputError("any_law", "another law of friction, with a model that is taken as right",
+                         "a model error above 0", "--model-error 1")  # fmt: skip
+    posterior = estimate_posterior(data, parameters, noise=noise, model_error=model_error, any_law=any_law,
                                    seed=seed, progress=progress)  # fmt: skip
     marginals = tuple(marginal_of(p, posterior.u[:, i], confidence) for i, p in enumerate(parameters.parameters))
     return Estimate(posterior, marginals, goodness_of_fit(posterior), confidence, thickness_sd)
