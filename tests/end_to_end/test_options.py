@@ -81,13 +81,13 @@ SHOT = OBJECT | typed(
 OPTIMIZE = typed(
     machine="shaker.toml", spin="2 rad/s", along="0.1 m/s", across="0 mm/s", frequency="20:30 Hz", angle="1:5 deg",
     stroke="2 mm", free="phase,ratio", _with="measured.toml", duration="3 s", slip_limit="20 mm",
-    chance_of_failure="10%", confidence="95%", searches="2", seed="3", engine="cpu64", store="runs", out="o.toml",
-    plot="p.png", json="",
+    chance_of_failure="10%", confidence="95%", searches="2", seed="3", engine="cpu64", store="runs", dask="host:1",
+    out="o.toml", plot="p.png", json="",
 )  # fmt: skip
 MOVES = typed(
     machine="shaker.toml", free="phase,offset", cell_along="40 mm/s", cell_across="10 mm/s", cell_turn="90 deg/s",
-    duration="2 s", reach="10 mm", generations="2", seed="3", engine="cpu64", store="moved", out="o.json", plot="p.png",
-    json="",
+    duration="2 s", reach="10 mm", generations="2", seed="3", engine="cpu64", store="moved", dask="host:1",
+    out="o.json", plot="p.png", json="",
 )  # fmt: skip
 
 MODES = [

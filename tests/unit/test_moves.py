@@ -155,6 +155,20 @@ def test_a_store_goes_on_where_it_was_and_ends_with_the_same_bits(small, tmp_pat
     assert json.dumps(summary(again)) == json.dumps(summary(first)) == json.dumps(summary(made))
 
 
+@pytest.mark.slow
+def test_a_dask_cluster_makes_the_same_atlas(small):
+    distributed = pytest.importorskip("distributed")
+    made, _ = small
+    # Threads of this process, which pickle what they send all the same.
+    options = {"n_workers": 2, "threads_per_worker": 1, "processes": False, "protocol": "tcp://"}
+    with (
+        distributed.LocalCluster(**options, dashboard_address=None) as workers,
+        distributed.Client(workers) as client,
+    ):
+        spread = atlas(duration=0.4, generations=2, dask=client)
+    assert json.dumps(summary(spread)) == json.dumps(summary(made))
+
+
 def test_poses_fill_the_plate():
     poses = np.array(anywhere(0.02)(200, 5))
     assert np.abs(poses[:, :2]).max() <= 0.02

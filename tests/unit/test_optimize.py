@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 from plategait import InputError, preset
+from plategait.campaign import cluster as cluster_module
 from plategait.model.machine import MACHINES, Machine
 from plategait.model.motion import PlateMotion
 from plategait.model.needs import excess, needs
-from plategait.optimize import trials as trials_module
+from plategait.optimize import runs as runs_module
 from plategait.optimize.figures import plot_optimum
 from plategait.optimize.goal import Goal
 from plategait.optimize.optimize import optimize_motion
@@ -32,6 +33,7 @@ LIMITED = Machine(
     rx={"angle": "24 deg", "jerk": "2e7 deg/s^3", "torque": "0.05 N*m"},
     frequency="40 Hz", power="3 W", plate_mass="54 g", inertia_x=4.5e-5, inertia_y=4.5e-5, inertia_z=9e-5,
 )  # fmt: skip
+TWO_WORKERS = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": None}
 SMALL = Effort(first=16, stages=(Generations(6, 9),), test=22)
 
 
@@ -208,7 +210,7 @@ def in_place_of_the_engine(monkeypatch):
         asked.append(len(scenarios))
         return toy(scenarios)
 
-    monkeypatch.setattr(trials_module, "simulate_all", run)
+    monkeypatch.setattr(runs_module, "simulate_all", run)
     return asked
 
 
@@ -262,7 +264,7 @@ def test_an_object_that_stays_nowhere_is_told_as_such(in_place_of_the_engine, mo
         nothing = {"velocity_x": np.nan, "velocity_y": np.nan, "bending_amplitude": np.nan}
         return [SimpleNamespace(scenario=s, observations=[_Observation(nothing, failure, np.nan)]) for s in scenarios]
 
-    monkeypatch.setattr(trials_module, "simulate_all", nothing_stays)
+    monkeypatch.setattr(runs_module, "simulate_all", nothing_stays)
     optimum = optimize_motion("cheese", effort=SMALL)
     assert not optimum.sound
     assert optimum.chance_of_failure == 1
@@ -277,7 +279,7 @@ def test_a_machine_that_hardly_moves_spins_nothing(in_place_of_the_engine):
 
 def test_a_killed_search_goes_on_with_the_same_numbers(in_place_of_the_engine, tmp_path, monkeypatch):
     store, whole = tmp_path / "store", optimize_motion("cheese", seed=5, effort=SMALL)
-    all_runs, runs = list(in_place_of_the_engine), trials_module.simulate_all
+    all_runs, runs = list(in_place_of_the_engine), runs_module.simulate_all
     in_place_of_the_engine.clear()
 
     def killed(scenarios, **options):
@@ -285,12 +287,12 @@ def test_a_killed_search_goes_on_with_the_same_numbers(in_place_of_the_engine, t
             raise KeyboardInterrupt
         return runs(scenarios, **options)
 
-    monkeypatch.setattr(trials_module, "simulate_all", killed)
+    monkeypatch.setattr(runs_module, "simulate_all", killed)
     with pytest.raises(KeyboardInterrupt):
         optimize_motion("cheese", seed=5, effort=SMALL, store=store)
     with open(store / "runs.jsonl", "ab") as file:
         file.write(b"a line that was cut o")
-    monkeypatch.setattr(trials_module, "simulate_all", runs)
+    monkeypatch.setattr(runs_module, "simulate_all", runs)
     resumed = optimize_motion("cheese", seed=5, effort=SMALL, store=store)
     assert summary(resumed) == summary(whole)
     assert in_place_of_the_engine == all_runs  # none of them twice
@@ -299,6 +301,60 @@ def test_a_killed_search_goes_on_with_the_same_numbers(in_place_of_the_engine, t
     assert not in_place_of_the_engine
     with pytest.raises(InputError, match="another search"):
         optimize_motion("cheese", seed=6, effort=SMALL, store=store)
+
+
+@pytest.fixture
+def cluster():
+    """A client of a Dask cluster of two workers: threads of this process, which pickle what they send all the same."""
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(processes=False, protocol="tcp://", **TWO_WORKERS) as workers,
+        distributed.Client(workers) as client,
+    ):
+        yield client
+
+
+@pytest.mark.slow
+def test_a_dask_cluster_finds_the_same_and_its_stores_go_on_here(in_place_of_the_engine, tmp_path, cluster):
+    whole = optimize_motion("cheese", seed=5, effort=SMALL)
+    here, most = list(in_place_of_the_engine), runs_module.ON_A_WORKER
+    in_place_of_the_engine.clear()
+    fractions = []
+    options = {"seed": 5, "effort": SMALL, "store": tmp_path / "store"}
+    spread = optimize_motion("cheese", dask=cluster, progress=fractions.append, **options)
+    assert json.dumps(summary(spread)) == json.dumps(summary(whole))
+    assert sum(in_place_of_the_engine) == sum(here)
+    assert max(in_place_of_the_engine) == most < max(here)  # in portions, so that both workers have some
+    assert fractions == sorted(fractions)
+    lines = (tmp_path / "store" / "runs.jsonl").read_bytes().splitlines(keepends=True)
+    (tmp_path / "store" / "runs.jsonl").write_bytes(b"".join(lines[:4]) + lines[4][:40])
+    assert json.dumps(summary(optimize_motion("cheese", **options))) == json.dumps(summary(whole))
+
+
+@pytest.mark.slow
+def test_what_workers_of_another_kind_make_is_refused(in_place_of_the_engine, tmp_path, cluster, monkeypatch):
+    kinds = iter([cluster_module.maker()])
+    other = cluster_module.maker() | {"instruction_set": "abacus"}
+    monkeypatch.setattr(cluster_module, "maker", lambda: next(kinds, other))  # the first who asks is this side
+    with pytest.raises(InputError, match="'instruction_set': 'abacus'"):
+        optimize_motion("cheese", seed=5, effort=SMALL, dask=cluster, store=tmp_path / "store")
+    assert len((tmp_path / "store" / "runs.jsonl").read_bytes().splitlines()) == 1  # nothing of it is kept
+
+
+@pytest.mark.slow
+def test_a_portion_that_a_worker_loses_is_made_again(in_place_of_the_engine, cluster, monkeypatch):
+    whole, lost = summary(optimize_motion("cheese", seed=5, effort=SMALL)), []
+    runs = runs_module.simulate_all
+
+    def failing(scenarios, **options):
+        if len(lost) < 3:
+            lost.append(True)
+            raise ConnectionError("the worker went away")
+        return runs(scenarios, **options)
+
+    monkeypatch.setattr(runs_module, "simulate_all", failing)
+    assert json.dumps(summary(optimize_motion("cheese", seed=5, effort=SMALL, dask=cluster))) == json.dumps(whole)
+    assert len(lost) == 3
 
 
 def test_a_store_that_is_something_else_is_left_alone(tmp_path):
@@ -331,7 +387,7 @@ def test_draws_of_a_measured_object_share_the_runs(in_place_of_the_engine, monke
     from plategait.model.measured import Measured
 
     masses = set()
-    monkeypatch.setattr(trials_module, "simulate_all", lambda s, **_: masses.update(x.sheet.mass for x in s) or toy(s))
+    monkeypatch.setattr(runs_module, "simulate_all", lambda s, **_: masses.update(x.sheet.mass for x in s) or toy(s))
     fragment = Fragment({"sheet.mass": Measured(0.011, 0.001, 0.009, 0.013)})
     optimize_motion("cheese", measured=[fragment], draws=12, effort=SMALL)
     assert len(masses) == 12

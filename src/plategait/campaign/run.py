@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 
 from plategait.campaign.batch import Rows, variables
+from plategait.campaign.cluster import connected
 from plategait.campaign.held import open_to_write
 from plategait.campaign.opened import Campaign, open_sweep
 from plategait.campaign.plan import Sweep, read_sweep
 from plategait.campaign.points import Point
 from plategait.campaign.refine import propose, refined_parameter
 from plategait.campaign.store import Store, with_coordinates
-from plategait.campaign.workers import Job, Workers, connect, on_dask, on_this_machine
+from plategait.campaign.workers import Job, Workers, on_dask, on_this_machine
 from plategait.errors import InputError
 from plategait.simulation.ensemble import TAKEN, Ensemble, together
 
@@ -65,14 +66,9 @@ def sweep(
         raise InputError("refine", refine, "a whole number from 0 to a million", "20")
     if refine:
         refined_parameter(sweep_plan)
-    path, client = Path(store), None
-    try:
-        client = connect(dask) if dask is not None else None
-        with open_to_write(path, sweep_plan, batch_size(sweep_plan), repair) as (opened, points):
-            _Running(sweep_plan, opened, points, client, threads, progress).run(refine)
-    finally:
-        if client is not None and client is not dask:
-            client.close()
+    path, size = Path(store), batch_size(sweep_plan)
+    with connected(dask) as client, open_to_write(path, sweep_plan, size, repair) as (opened, points):
+        _Running(sweep_plan, opened, points, client, threads, progress).run(refine)
     return open_sweep(path)
 
 

@@ -65,6 +65,7 @@ def moves(
     store: Annotated[
         Path | None, typer.Option("--store", help="Folder that keeps what was run: killed, it goes on from there.")
     ] = None,
+    dask: options.Dask = None,
     out: Annotated[Path | None, typer.Option("--out", help="Write the atlas: .json.")] = None,
     plot: options.Plot = None,
     beside: Annotated[
@@ -86,7 +87,7 @@ def moves(
     others = [reached_in(path, "--beside") for path in beside or []]
     try:
         with report.progress_bar("searching") as progress:
-            found = atlas(scenario, machine, **made.read(), store=store, progress=progress)
+            found = atlas(scenario, machine, **made.read(), store=store, dask=dask, progress=progress)
     except KeyboardInterrupt:
         if store is None:
             raise

@@ -127,6 +127,7 @@ def optimize(
     store: Annotated[
         Path | None, typer.Option("--store", help="Folder that keeps what was run: killed, it goes on from there.")
     ] = None,
+    dask: options.Dask = None,
     out: Annotated[Path | None, typer.Option("--out", help="Write the object on its best motion: .toml.")] = None,
     plot: options.Plot = None,
     as_json: options.Json = False,
@@ -150,7 +151,8 @@ def optimize(
                 free=may_vary.freedoms(),  # type: ignore[arg-type]
                 measured=[read_fragment(path) for path in measured or []], draws=draws,
                 chance_of_failure=permitted, confidence=confidence,
-                searches=tried.searches, seed=tried.seed, engine=tried.engine, store=store, progress=progress,
+                searches=tried.searches, seed=tried.seed, engine=tried.engine, store=store, dask=dask,
+                progress=progress,
             )  # fmt: skip
     except KeyboardInterrupt:
         if store is None:

@@ -54,6 +54,7 @@ Draws = Annotated[
     int,
     typer.Option("--draws", help="Run this many draws of what --with is uncertain of; 0 runs its values only.", min=0),
 ]
+Dask = Annotated[str | None, typer.Option("--dask", help="Run on the Dask cluster at this address.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of a table.")]
 
 SHARE = Quantity("", "", "0.05", above=0)

@@ -32,7 +32,7 @@ def source(
     generations: Annotated[
         int, typer.Option("--generations", help="Of 16 evaluations each, from the best of them.", min=0)
     ] = GENERATIONS,
-    dask: Annotated[str | None, typer.Option("--dask", help="Run on the Dask cluster at this address.")] = None,
+    dask: options.Dask = None,
     as_json: options.Json = False,
 ) -> None:
     """Search everything that the source's simulations leave open, against all that it published.

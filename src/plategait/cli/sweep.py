@@ -26,7 +26,7 @@ def sweep(
     ] = None,
     refine: Annotated[int, typer.Option("--refine", help="Points to add at peaks, gait changes, failures.", min=0)] = 0,
     repair: Annotated[bool, typer.Option("--repair", help="Run the points of damaged batches again.")] = False,
-    dask: Annotated[str | None, typer.Option("--dask", help="Run on the Dask cluster at this address.")] = None,
+    dask: options.Dask = None,
     status: Annotated[bool, typer.Option("--status", help="Say how far it is; run nothing.")] = False,
     as_json: options.Json = False,
 ) -> None:

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from plategait.arrays import Array
+from plategait.campaign.cluster import connected
 from plategait.engine.engines import Engine
 from plategait.errors import InputError
 from plategait.model.machine import Machine, machine_of
@@ -120,6 +121,7 @@ def atlas(
     seed: int = 0,
     engine: Engine = "cpu",
     store: Path | str | None = None,
+    dask: object = None,
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Atlas:
@@ -148,14 +150,17 @@ def atlas(
     engine : {"cpu", "cpu64", "tiles"}
     store : path, optional
         Folder that keeps what was run: killed at any moment, the same call ends with the same bits.
+    dask : str or distributed.Client, optional
+        Cluster to run on: its address, scheduler file or client. This machine's cores by default.
     threads : int, optional
+        Cores to use here; all by default.
     progress : callable, optional
         Called with the fraction done.
 
     Raises
     ------
     InputError
-        For bad input, and where no motion was found that the object stays on the plate with.
+        For bad input, where no cluster answers, and where no motion was found that the object stays on the plate with.
     """
     check_whole("generations", generations, 1, 10**4)
     check_whole("seed", seed, 0, 10**6)
@@ -167,9 +172,9 @@ def atlas(
               "rest": [sizes.tolist(), reach, generations, seed, engine]}  # fmt: skip
     work = STARTS * (_FIRST + generations * POPULATION)
     tally = Tally(progress, 1.25 * work)
-    with open_diary(None if store is None else Path(store), wanted) as diary:
+    with connected(dask) as client, open_diary(None if store is None else Path(store), wanted) as diary:
         bench = Bench((placed,), shaker, seed, engine, diary, threads, tally, anywhere(reach),
-                      (settling_time,))  # fmt: skip
+                      (settling_time,), client)  # fmt: skip
         archive = _searched(space, bench, sizes, generations, seed)
         cells = _confirmed(archive, bench)
         if not cells:

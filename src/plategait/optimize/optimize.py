@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from plategait.campaign.cluster import connected
 from plategait.engine.engines import Engine
 from plategait.errors import InputError
 from plategait.model.fragment import Fragment, overlay
@@ -54,6 +55,7 @@ def optimize_motion(
     effort: Effort | None = None,
     engine: Engine = "cpu",
     store: Path | str | None = None,
+    dask: object = None,
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Optimum:
@@ -86,31 +88,30 @@ def optimize_motion(
     engine : {"cpu", "cpu64", "tiles"}
     store : path, optional
         Folder that keeps what was run: killed at any moment, the same call ends with the same bits.
+    dask : str or distributed.Client, optional
+        Cluster to run on: its address, scheduler file or client. This machine's cores by default.
     threads : int, optional
-        Cores to use; all by default.
+        Cores to use here; all by default.
     progress : callable, optional
         Called with the fraction done.
 
     Raises
     ------
     InputError
-        For bad input, or when the package `cma` is not installed.
+        For bad input, when the package `cma` is not installed, or no cluster answers.
     """
     goal = goal or Goal()
     _check_numbers(draws, searches, seed, {"chance_of_failure": chance_of_failure, "confidence": confidence})
-    objects = [with_room(overlay(as_scenario(scenario), measured), goal)]
+    objects = _objects(as_scenario(scenario), measured, goal, draws, seed)
     shaker = machine_of(machine)
     space = _space(objects[0], shaker, goal, ranges or {}, free)
-    if draws:
-        generator = np.random.default_rng(seed)
-        objects += [with_room(overlay(as_scenario(scenario), measured, generator), goal) for _ in range(draws)]
     effort = effort or usual_effort(space, chance_of_failure, confidence)
     chances = {"permitted": chance_of_failure, "confidence": confidence}
     wanted = _identity(objects, space, [repr(goal), repr(effort), chances, searches, seed, engine])
     expected = searches * effort.expected + 2 * AROUND * len(space.variables) + CONFIRMED * FINER
     tally = Tally(progress, expected)
-    with open_diary(Path(store) if store is not None else None, wanted) as diary:
-        bench = Bench(tuple(objects[1:] or objects), shaker, seed, engine, diary, threads, tally)
+    with connected(dask) as client, open_diary(None if store is None else Path(store), wanted) as diary:
+        bench = Bench(tuple(objects[1:] or objects), shaker, seed, engine, diary, threads, tally, client=client)
         benches = [replace(bench, seed=seed + i) for i in range(searches)]
         found = tuple(search(space, goal, own, effort=effort, seed=own.seed, **chances) for own in benches)
         best = best_of(found, goal).proof.trial
@@ -118,6 +119,13 @@ def optimize_motion(
         (fine,) = bench.try_motions([(best.shares, best.motion)], CONFIRMED, _CONFIRMATION, finer=FINER)
     return Optimum(objects[0].replace(motion=best.motion), goal, shaker, space, found, sensitivities=around,
                    confirmation=fine, **chances)  # fmt: skip
+
+
+def _objects(scenario: Scenario, measured: Sequence[Fragment], goal: Goal, draws: int, seed: int) -> list[Scenario]:
+    """The object at what was measured of it, then draws of that."""
+    generator = np.random.default_rng(seed)
+    made = [overlay(scenario, measured), *(overlay(scenario, measured, generator) for _ in range(draws))]
+    return [with_room(each, goal) for each in made]
 
 
 def _check_numbers(draws: int, searches: int, seed: int, shares: Mapping[str, float]) -> None:

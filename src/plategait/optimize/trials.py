@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -19,14 +20,10 @@ from plategait.model.needs import needs
 from plategait.model.scenario import Scenario
 from plategait.optimize.diary import Diary
 from plategait.optimize.goal import Cost
+from plategait.optimize.runs import COLUMNS, MOST_AT_ONCE, Measure, Portion, on_dask, portions, rows_of
 from plategait.simulation.observables import student_95
-from plategait.simulation.result import Simulation
-from plategait.simulation.run import simulate_all, starts
+from plategait.simulation.run import starts
 
-COLUMNS = ("velocity_x", "velocity_y", "spin_rate", "bending", "lasted", "failed")
-"""What is kept of each run: SI, the share of its time before it failed, and whether it did; then what else is asked."""
-MOST_AT_ONCE = 512
-"""Runs that are made side by side: more bring no speed, and a megabyte of recordings each."""
 _BENDING, _LASTED, _FAILED = 3, 4, 5
 
 
@@ -136,8 +133,10 @@ class Tally:
         return self._done
 
     def add(self, runs: float) -> None:
-        """Count runs that were made."""
+        """Count runs that were made, and report."""
         self._done += runs
+        if self._progress is not None:
+            self._progress(min(self._done / self._total, 1.0))
 
     def of(self, runs: float) -> Callable[[float], object] | None:
         """What takes the fraction done of so many runs more."""
@@ -175,7 +174,9 @@ class Bench:
     placing : callable
         Where the runs of a motion start.
     further : tuple of callable
-        What else is measured of each run.
+        What else is measured of each run: functions of a module, as workers of a cluster take.
+    client : distributed.Client, optional
+        Of the Dask cluster that makes the runs; this machine's cores by default.
     """
 
     objects: tuple[Scenario, ...]
@@ -186,7 +187,8 @@ class Bench:
     threads: int | None = None
     tally: Tally = field(default_factory=lambda: Tally(None, 1.0))
     placing: Placing = near
-    further: tuple[Callable[[Simulation], float], ...] = ()
+    further: tuple[Measure, ...] = ()
+    client: Any = None
 
     @property
     def reach(self) -> float:
@@ -238,14 +240,19 @@ class Bench:
 
     def _rows(self, scenarios: Sequence[Scenario], engine: Engine, finer: int) -> Array:
         """What is kept of each run; no more of them at once than their recordings should take memory."""
-        rows: list[list[float]] = []
-        for first in range(0, len(scenarios), MOST_AT_ONCE):
-            some = scenarios[first : first + MOST_AT_ONCE]
-            work = float(len(some) * finer)
-            made = simulate_all(some, engine=engine, threads=self.threads, progress=self.tally.of(work))
-            rows += [_row(run) + [measure(run) for measure in self.further] for run in made]
-            self.tally.add(work)
-        return np.array(rows)
+        rows = np.empty((len(scenarios), len(COLUMNS) + len(self.further)))
+        for portion, made in self._made(scenarios, engine, finer):
+            rows[portion.first : portion.first + len(made)] = made
+            self.tally.add(float(len(made) * finer))
+        return rows
+
+    def _made(self, scenarios: Sequence[Scenario], engine: Engine, finer: int) -> Iterator[tuple[Portion, Array]]:
+        if self.client is not None:
+            yield from on_dask(self.client, scenarios, engine, self.further)
+            return
+        for portion in portions(scenarios, MOST_AT_ONCE):
+            within = self.tally.of(float(len(portion.scenarios) * finer))
+            yield portion, rows_of(portion, engine, self.further, self.threads, within)
 
     def _set_up(self, runs: int, batch: int) -> list[Scenario]:
         """Objects where they start, for each run of a motion in a batch."""
@@ -258,12 +265,6 @@ class Bench:
             moved = {"start.x": at.x + x, "start.y": at.y + y, "start.angle": at.angle + angle}
             scenarios.append(scenario.replace(**moved))
         return scenarios
-
-
-def _row(run: Simulation) -> list[float]:
-    o, duration = run.observations[0], run.scenario.duration
-    lasted = 1.0 if o.failure is None else min(o.failure.sound_until / duration, 1.0)
-    return [o["velocity_x"], o["velocity_y"], o.spin.rate, o["bending_amplitude"], lasted, float(o.failure is not None)]
 
 
 def costs_of(motion: PlateMotion, machine: Machine, reach: float) -> dict[Cost, float]:
