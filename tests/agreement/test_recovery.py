@@ -78,8 +78,11 @@ def test_predictions_run_through_the_data(estimate):
 
 
 def test_the_next_measurement_tells_more(estimate):
-    plan = next_measurement(estimate.posterior, angles=[BASE.motion.angle], wanted={"natural_frequency": 0.1 * math.pi})
-    assert 10 < plan.condition.frequency < 32
+    plan = next_measurement(estimate.posterior, wanted={"natural_frequency": 0.1 * math.pi})
+    assert 10 < plan.condition.frequency <= FREQUENCIES[-1]
+    # What is expected after more measurements falls on.
+    left = [sd["natural_frequency"] for _, sd in plan.programme]
+    assert left == sorted(left, reverse=True)
     assert plan.sd_after["natural_frequency"] < plan.sd_now["natural_frequency"]
     assert plan.needed is not None
     assert plan.needed[0] <= plan.needed[1] <= plan.needed[2]

@@ -58,6 +58,10 @@ LINES = [
     ("estimate peak.csv --thickness '2 mm ± thin'", "--thickness … thin"),
     ("estimate peak.csv --fixed c_b", "--fixed … c_b … bending_damping"),
     ("estimate peak.csv --free bending_damping", "--free … bending_damping … mass"),
+    ("estimate peak.csv --next --candidate-angle '6:1 deg'", "--candidate-angle … lower first"),
+    ("estimate peak.csv --next --candidate-phase '1:9 mm'", "--candidate-phase … deg"),
+    ("estimate peak.csv --candidate-phase '90 deg'", "--candidate-phase … --next"),
+    ("estimate peak.csv --next --machine nofile.toml", "--machine … nofile.toml"),
     ("estimate peak.csv --confidence 100%", "--confidence … below 1"),
     # Files that are not there, or are something else
     ("fit nofile.csv", "nofile.csv … file"),

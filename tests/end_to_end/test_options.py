@@ -117,7 +117,9 @@ MODES = [
     Mode(("scenario", "cheese"), JSON),
     Mode(("scenario", "--print", "cheese"), {}),
     Mode(("estimate", "peak.csv"), POSTERIOR),
-    Mode(("estimate", "peak.csv", "--next"), typed(candidate_angle="5 deg"), ("--coefficients",)),
+    Mode(("estimate", "peak.csv", "--next"),
+         typed(candidate_angle="5 deg", candidate_stroke="2 mm", candidate_height="0:20 mm", candidate_phase="90 deg",
+               candidate_frequency="10:20 Hz", machine="shaker.toml"), ("--coefficients",)),
     Mode(("estimate", "told.csv"), but(POSTERIOR, "--noise", "--angle")),
     Mode(("estimate", "peak.csv", "--method", "linear"),
          typed(scenario="wide.toml", angle="12 deg", stroke="2 mm", radius="50 mm", coefficients="refitted",
@@ -266,6 +268,7 @@ def answers(files) -> dict[str, object]:
     from matplotlib.figure import Figure
 
     from plategait.campaign.opened import open_sweep
+    from plategait.estimate.observations import Condition
     from plategait.estimate.result import estimate_parameters
     from plategait.model.presets import preset
     from plategait.optimize.optimize import optimize_motion
@@ -286,7 +289,7 @@ def answers(files) -> dict[str, object]:
     truth = film(run, files / "clip.mp4", usual_camera(cheese, 480, 270), 30.0, seconds=0.5)
     seen = track(files / "clip.mp4")
     estimate = estimate_parameters(files / "few.csv", cheese, noise=0.1, friction_ratio=0.53, fixed="natural_frequency")
-    plan = SimpleNamespace(condition=SimpleNamespace(frequency=20.0, angle=0.1), runs_off=0.0, needed=None,
+    plan = SimpleNamespace(condition=Condition(0.1, 0.003, 20.0), runs_off=0.0, needed=None, programme=(),
                            sd_now=dict.fromkeys(estimate.posterior.unknowns.names, 1.0),
                            sd_after=dict.fromkeys(estimate.posterior.unknowns.names, 0.5))  # fmt: skip
     return {

@@ -179,6 +179,20 @@ def test_readings_come_with_how_well_they_are_known(tmp_path):
     assert "above 0" in str(refused(tmp_path, f"{HEAD},rim_lift_mm,rim_lift_sd_mm\n14,70,1,0\n"))
 
 
+def test_the_motion_of_each_point_may_stand_beside_it(tmp_path):
+    curve = read(tmp_path, f"{HEAD},A_p (deg),stroke_mm,plate height [mm],phase_deg\n14,70,3,2,5,90\n18,200,,,,\n")
+    assert not curve.notes
+    assert curve.angle_deg is not None
+    assert curve.stroke is not None
+    np.testing.assert_allclose(curve.stroke, [2e-3, math.nan])
+    np.testing.assert_allclose(curve.height, [5e-3, math.nan])
+    np.testing.assert_allclose(curve.phase, [math.pi / 2, math.nan])
+    write_curve(curve, tmp_path / "again.csv")
+    again = read_curve(tmp_path / "again.csv")
+    for name in ("angle_deg", "stroke", "height", "phase"):
+        np.testing.assert_allclose(getattr(again, name), getattr(curve, name), rtol=1e-9)
+
+
 def test_a_rate_without_a_unit_is_said_to_be_taken_in_the_usual_one(tmp_path):
     curve = read(tmp_path, "freq,rate\n12,60\n")
     assert curve.spin_rate_deg_s.tolist() == [60]

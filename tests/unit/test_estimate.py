@@ -16,6 +16,7 @@ from plategait.curve.protocol import measured_as
 from plategait.errors import InputError
 from plategait.estimate import unknowns as parameters
 from plategait.estimate.assumptions import assumptions
+from plategait.estimate.candidates import reach_of
 from plategait.estimate.emulator import brackets, fit_rates, fit_run_off, log_between
 from plategait.estimate.handling import Handling
 from plategait.estimate.identifiability import marginal_of
@@ -23,6 +24,7 @@ from plategait.estimate.linear import estimate_linear, line
 from plategait.estimate.observations import Condition, observe_curves
 from plategait.estimate.stiffness import stiffness_of
 from plategait.estimate.unknowns import FRICTION_ANGLE, NATURAL_FREQUENCY, unknowns
+from plategait.model.machine import Machine, Sliding, Turning
 from plategait.model.presets import preset
 
 pytestmark = pytest.mark.linear_algebra
@@ -31,13 +33,13 @@ CHEESE = measured_as(preset("cheese").scenario)
 MOTION = CHEESE.motion
 
 
-def curve(frequency, rate, failure=None, sd=None, angle=None, values=None, value_sds=None) -> Curve:
+def curve(frequency, rate, failure=None, sd=None, angle=None, values=None, value_sds=None, **motion) -> Curve:
     n = len(frequency)
     of = {name: {k: np.array(x, float) for k, x in (given or {}).items()}
           for name, given in (("values", values), ("value_sds", value_sds))}  # fmt: skip
     return Curve("c", np.array(frequency, float), np.array(rate, float),
                  np.full(n, math.nan) if sd is None else np.array(sd, float), ("",) * n,
-                 tuple(failure or ("",) * n), **of,
+                 tuple(failure or ("",) * n), **of, **{name: np.array(x, float) for name, x in motion.items()},
                  angle_deg=None if angle is None else np.array(angle, float))  # fmt: skip
 
 
@@ -183,6 +185,73 @@ def test_amplitudes_may_stand_in_the_file_or_come_with_each_curve():
                            [MOTION, MOTION.replace(angle="12 deg")])  # fmt: skip
     assert [c.frequency for c in both.conditions] == [c.frequency for c in apart.conditions] == [14, 18, 12]
     assert len(both.brackets()) == 2
+
+
+def test_points_of_one_file_may_differ_in_every_number_of_the_motion():
+    data = observe_curves([curve([14, 18, 22], [70, 200, 450], angle=[3, math.nan, 5], stroke=[math.nan, 2e-3, 3e-3],
+                                 height=[5e-3, 5e-3, 9e-3], phase=[0, 0.5, math.nan])], [MOTION])  # fmt: skip
+    first, second, third = (data.conditions[i].motion(MOTION) for i in data.which)
+    assert first == MOTION.replace(frequency=14.0)
+    assert (third.angle, third.stroke, third.height) == pytest.approx((math.radians(5), 3e-3, 9e-3))
+    # A stroke out of phase is a wave along the bar that begins that far into its sine, before the turning.
+    assert second.terms()[-1] == pytest.approx((0, 2e-3, 18.0, 0.5 / math.tau))
+    assert len(second.terms()) == 2
+    assert len(data.brackets()) == 3  # each is a curve of its own
+
+
+def test_a_failure_under_one_motion_says_nothing_of_another():
+    data = observe_curves([curve([12, 14, 13, 18], [70, 90, math.nan, 200], ["", "", "slipped", ""],
+                                 angle=[3, 3, 12, 3])], [MOTION])  # fmt: skip
+    assert not any("beyond" in note for note in data.notes)
+    assert sorted(data.frequency[data.rated]) == [12, 14, 18]
+
+
+def test_a_stroke_out_of_phase_may_turn_the_spin():
+    """The sense that counts as positive is that of the points in phase."""
+    data = observe_curves([curve([14, 16, 18, 20], [70, -90, -100, -110], phase=[0, 3, 3, 3])], [MOTION])
+    assert data.rate[data.rated].tolist() == [70, -90, -100, -110]
+
+
+# Candidates
+
+
+def test_nothing_that_the_plate_cannot_make_is_a_candidate():
+    """What was measured, where nothing is told: its amplitudes, up to the highest frequency."""
+    measured = [Condition(0.05, 0.003, f) for f in (14.0, 18.0, 22.0)]
+    reach = reach_of(measured, MOTION)
+    grid = reach.grid()
+    assert {c.amplitude for c in grid} == {measured[0].amplitude}
+    assert max(c.frequency for c in grid) == 22
+    assert not reach.allows(Condition(0.05, 0.003, 22.1))
+    assert not reach.allows(Condition(0.06, 0.003, 20.0))
+
+
+def test_candidates_fill_the_ranges_that_are_told():
+    angle, height = (math.radians(2), math.radians(6)), (0.0, 0.02)
+    reach = reach_of([Condition(0.05, 0.003, 22.0)], MOTION, angle=[angle], height=[height],
+                     phase=[(0.0, 0.0), (math.pi / 2, math.pi / 2)], frequency=(10.0, 30.0))  # fmt: skip
+    grid = reach.grid()
+    assert all(reach.allows(c) for c in grid)
+    assert len(grid) > 40
+    angles = [c.angle for c in grid]
+    assert min(angles) < 0.045
+    assert max(angles) > 0.095
+    heights = [c.motion(MOTION).height for c in grid]  # absolute, as they were told
+    assert min(heights) < 3e-3
+    assert max(heights) > 17e-3
+    assert {c.phase for c in grid} == {0.0, math.pi / 2}
+
+
+def test_a_machine_leaves_out_what_it_cannot_do():
+    machine = Machine(x=Sliding(stroke="3 mm"), rx=Turning(angle="4 deg", acceleration="1000 rad/s^2"))
+    reach = reach_of([Condition(0.05, 0.003, 22.0)], MOTION, angle=[(0.05, 0.05), (0.06, 0.06), (0.08, 0.08)],
+                     frequency=(5.0, 40.0), machine=machine)  # fmt: skip
+    assert {c.angle for c in reach.grid()} == {0.05, 0.06}  # 0.08 rad is 4.6 deg
+    fastest = max(c.frequency for c in reach.grid() if c.angle == 0.05)
+    # A ω² at the limit: 22.5 Hz; the smooth start asks for more than the sine.
+    assert 18 < fastest <= math.sqrt(1000 / 0.05) / math.tau
+    with pytest.raises(InputError, match="no motion"):
+        reach_of([Condition(0.05, 0.003, 22.0)], MOTION, angle=[(0.08, 0.08)], machine=machine).grid()
 
 
 def test_readings_count_where_they_and_their_spread_are_known():

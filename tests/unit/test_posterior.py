@@ -15,7 +15,7 @@ from plategait.estimate import posterior as posterior_module
 from plategait.estimate import prediction
 from plategait.estimate import runs as runs_module
 from plategait.estimate.emulator import RateEmulator, fit_run_off
-from plategait.estimate.forecast import MOST_MEASUREMENTS, Forecast, measurements_needed
+from plategait.estimate.forecast import MOST_MEASUREMENTS, Forecast, measurements_needed, programme
 from plategait.estimate.goodness import goodness_of_fit
 from plategait.estimate.identifiability import marginal_of
 from plategait.estimate.likelihood import OUTLIER_SHARE, OUTLIER_SPREAD, Likelihood
@@ -264,9 +264,9 @@ def test_rates_beyond_the_first_failure_of_an_amplitude_do_not_count(monkeypatch
     monkeypatch.setattr(runs_module, "simulate_all", engine)
     runs = run_engine(two_unknowns(), np.full((1, 2), 0.5), conditions)
     np.testing.assert_array_equal(np.isfinite(runs.rates[0]), [True, False, False, True, True, True])
-    low, high = runs.brackets((0.05, 0.003))
+    low, high = runs.brackets(conditions[0].amplitude)
     assert (low[0], high[0]) == (12, 16)
-    assert math.isinf(runs.brackets((0.2, 0.003))[1][0])
+    assert math.isinf(runs.brackets(conditions[-1].amplitude)[1][0])
 
 
 def test_predictions_span_a_little_more_than_was_measured(monkeypatch):
@@ -276,6 +276,22 @@ def test_predictions_span_a_little_more_than_was_measured(monkeypatch):
     (curve,) = prediction.predict(posterior, progress=done.append)
     assert (curve.frequency[0], curve.frequency[-1]) == pytest.approx((0.95 * 14, 1.05 * 25))
     assert curve.rates.shape == (prediction.DRAWS, prediction.POINTS)
+
+
+def test_motions_that_make_no_curve_are_predicted_as_they_were_measured(monkeypatch):
+    def engine(unknowns, u, conditions, *, observables=(), seed=0, progress=None):
+        return EngineRuns(
+            u, tuple(conditions), np.ones((len(u), len(conditions))), np.zeros((len(u), len(conditions)), bool)
+        )
+
+    monkeypatch.setattr(prediction, "run_engine", engine)
+    posterior = sampled(linear_rates(TRUTH[None])[0], monkeypatch)
+    alone = (Condition(0.1, 0.003, 15.0), Condition(0.1, 0.003, 16.0, phase=1.0))
+    data = replace(posterior.data, conditions=(*CONDITIONS, *alone))
+    curve, mixed = prediction.predict(replace(posterior, data=data))
+    assert curve.amplitude == CONDITIONS[0].amplitude
+    assert mixed.amplitude is None
+    assert mixed.conditions == alone
 
 
 # Planning
@@ -313,6 +329,22 @@ def test_a_run_off_tells_without_a_rate():
     toy = forecast([0.0], 1.0)
     split = Forecast(toy.conditions, toy.values, toy.outcome, toy.sd, (toy.values > 0).astype(float))
     assert split.expected_variances(split.even)[0, 0] == pytest.approx(1 - 2 / math.pi, abs=2e-3)
+
+
+def test_a_programme_is_each_time_the_best_after_those_before():
+    """Two parameters, each told by one candidate, and one that tells both a little: the sharp ones in turn."""
+    generator = np.random.default_rng(0)
+    values = generator.normal(size=(4000, 2))
+    slopes = np.array([[3.0, 0.0], [0.0, 2.0], [1.0, 1.0]])
+    outcome = (values @ slopes.T)[:, :, None]
+    conditions = tuple(Condition(0.05, 0.003, 10.0 + i) for i in range(3))
+    toy = Forecast(conditions, values, outcome, np.ones_like(outcome), np.ones((4000, 3)))
+    steps = programme(toy, np.ones(2), 3)
+    assert [i for i, _ in steps] == [0, 1, 1]  # then 1/(1 + 9) is left of one, and 1/(1 + 4) of the other
+    np.testing.assert_allclose(steps[1][1], [1 / 10, 1 / 5], rtol=0.05)  # of 4000 draws
+    # Were it to run off there for all but a tenth of the samples, the first would tell little.
+    off = Forecast(conditions, values, outcome, np.ones_like(outcome), np.tile([0.1, 1.0, 1.0], (4000, 1)))
+    assert programme(off, np.ones(2), 1)[0][0] == 1
 
 
 def test_as_many_measurements_are_needed_as_the_noise_asks_for():

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from plategait.model.motion import PlateMotion
 
 Method = Literal["posterior", "linear", "quadratic"]
+CANDIDATES = [
+    "candidate_angle", "candidate_stroke", "candidate_height", "candidate_phase", "candidate_frequency", "machine",
+]  # fmt: skip
 Coefficients = Literal["published", "refitted"]
 
 
@@ -71,7 +74,7 @@ def _refuse_idle(context: typer.Context, method: Method, planning: PlanOptions, 
     if method == "posterior":
         refuse(context, ["coefficients"], "with --method posterior", "--method linear")
         if not planning.asked:
-            refuse(context, ["candidate"], "without --next", "--next")
+            refuse(context, CANDIDATES, "without --next", "--next")
         return
     if not output.out:
         # Only the stiffness that is written is that of an object of a certain mass.
@@ -87,12 +90,13 @@ def _refuse_redundant(context: typer.Context, curves: list[Curve]) -> None:
     """Refuse what the curves tell themselves, point by point."""
     if all(c.angle_deg is not None and np.isfinite(c.angle_deg).all() for c in curves):
         refuse(context, ["angle"], "with curves that have a column angle_deg", "the file without that column")
-    for name, columns in (
-        ("duration", [c.duration for c in curves]),
-        ("slip_limit", [c.slip_limit for c in curves]),
+    for name, unit, columns in (
+        ("stroke", "mm", [c.stroke for c in curves]),
+        ("height", "mm", [c.height for c in curves]),
+        ("duration", "s", [c.duration for c in curves]),
+        ("slip_limit", "mm", [c.slip_limit for c in curves]),
     ):
         if all(x is not None and np.isfinite(x).all() for x in columns):
-            unit = {"duration": "s", "slip_limit": "mm"}[name]
             refuse(context, [name], f"with curves that have a column {name}_{unit}", "the file without that column")
     rated = [np.isfinite(c.spin_rate_deg_s) for c in curves]
     if all((c.spin_rate_sd_deg_s[r] > 0).all() for c, r in zip(curves, rated, strict=True)):
@@ -130,12 +134,21 @@ def _linear(
 
 
 def _at_amplitude_of(curve: Curve, base: Scenario, method: str) -> Scenario:
-    """Scenario at the amplitude in the curve's own column, if it has one."""
-    angles = [] if curve.angle_deg is None else np.unique(curve.angle_deg[np.isfinite(curve.angle_deg)]).tolist()
-    if len(angles) > 1:
-        raise InputError("CURVE.csv", f"points at {' and '.join(f'{a:g}' for a in angles[:4])} deg",
-                         f"of one amplitude for --method {method}", "--method posterior")  # fmt: skip
-    return base.replace(**{"motion.angle": math.radians(angles[0])}) if angles else base
+    """Scenario at the amplitudes in the curve's own columns, if it has any."""
+    changes = {}
+    for name, column, unit, scale in (
+        ("angle", curve.angle_deg, "deg", math.radians(1)),
+        ("stroke", curve.stroke, "m", 1.0),
+        ("phase", curve.phase, "rad", 1.0),
+    ):
+        told = [] if column is None else np.unique(column[np.isfinite(column)]).tolist()
+        if len(told) > 1 or (name == "phase" and any(told)):
+            raise InputError("CURVE.csv", f"points at {' and '.join(f'{a:g}' for a in told[:4])} {unit}",
+                             f"of one {'amplitude' if name == 'angle' else name} for --method {method}",
+                             "--method posterior")  # fmt: skip
+        if told and name != "phase":
+            changes[f"motion.{name}"] = scale * told[0]
+    return base.replace(**changes)
 
 
 def _posterior(
@@ -149,12 +162,17 @@ def _posterior(
     seed: int,
 ) -> None:
     """The engine in the loop."""
+    from plategait.estimate.observations import Condition
     from plategait.model.fragment import write_fragment
 
-    wanted, angles = planning.wanted, planning.angles
+    wanted = planning.wanted
+    planning.reach([Condition(base.motion.angle, base.motion.stroke, 1.0)], base.motion)  # refused before the work
     result = measurement.run(curves, base, motions, setup, seed)
     # What to measure next follows from the posterior, which is worth nothing where no parameters explain the data.
-    plan = planning.run(result, angles, wanted, seed) if planning.asked and result.goodness.explained else None
+    plan = None
+    if planning.asked and result.goodness.explained:
+        reach = planning.reach(result.posterior.data.conditions, result.posterior.unknowns.base.motion)
+        plan = planning.run(result, reach, wanted, seed)
     if output.plot:
         _plot(result, output.plot, seed)
     written = output.out if any(m.determined for m in result.marginals) else None

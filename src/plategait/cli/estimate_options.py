@@ -15,10 +15,14 @@ from plategait.errors import InputError
 from plategait.model.fragment import read_fragment
 from plategait.model.outline import Disk
 from plategait.model.scenario import Scenario
-from plategait.units import ANGLE, ANGULAR_FREQUENCY, PLATE_ANGLE, Quantity
+from plategait.units import ANGLE, ANGULAR_FREQUENCY, FREQUENCY, PLATE_ANGLE, Quantity
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from plategait.curve.curve import Curve
+    from plategait.estimate.candidates import Reach
+    from plategait.estimate.observations import Condition
     from plategait.estimate.planning import Plan
     from plategait.estimate.result import Estimate
     from plategait.model.motion import PlateMotion
@@ -26,6 +30,8 @@ if TYPE_CHECKING:
 _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
 _HEIGHT = Quantity("m", "mm", "5 mm", at_least=-1, at_most=1)
+_CANDIDATE_ANGLE = Quantity("rad", "deg", "3 deg", above=0, at_most=math.pi / 2)
+_CANDIDATE_STROKE = Quantity("m", "mm", "3 mm", at_least=0, at_most=1)
 _TIME = Quantity("s", "s", "2 s", above=0)
 _MODEL_ERROR = Quantity("", "", "1", at_least=0, at_most=10)
 _RAMP = Quantity("s", "s", "0.1 s", at_least=0, at_most=1e3)
@@ -189,9 +195,31 @@ class PlanOptions:
     """What to measure next."""
 
     plan: Annotated[bool, typer.Option("--next", help="Say also what to measure next.")] = False
-    candidate: Annotated[
+    candidate_angle: Annotated[
         list[str] | None,
-        typer.Option("--candidate-angle", help="Amplitude that the plate can make, for --next; repeatable."),
+        typer.Option(
+            "--candidate-angle", help='A_p that the plate can make, for --next: "3 deg" or "1:6 deg"; repeatable.'
+        ),
+    ] = None
+    candidate_stroke: Annotated[
+        list[str] | None, typer.Option("--candidate-stroke", help='B_p likewise: "3 mm" or "1:5 mm"; repeatable.')
+    ] = None
+    candidate_height: Annotated[
+        list[str] | None,
+        typer.Option("--candidate-height", help='Height of the plate likewise: "0:20 mm"; repeatable.'),
+    ] = None
+    candidate_phase: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--candidate-phase", help='Phase of the stroke before the turning likewise: "0:90 deg"; repeatable.'
+        ),
+    ] = None
+    candidate_frequency: Annotated[
+        str | None,
+        typer.Option("--candidate-frequency", help='Frequencies that the plate can make: "10:30 Hz".'),
+    ] = None
+    machine: Annotated[
+        str | None, typer.Option("--machine", help="What drives the plate, for --next: a TOML file, or source-robot.")
     ] = None
     want_frequency: Annotated[
         str | None, typer.Option("--want-frequency", help='Precision wanted of ω_n, for --next: "0.5 pi rad/s".')
@@ -206,11 +234,6 @@ class PlanOptions:
         return bool(self.plan or self.want_frequency or self.want_angle)
 
     @property
-    def angles(self) -> list[float]:
-        """Amplitudes of the candidates, rad."""
-        return [PLATE_ANGLE.read(c, "--candidate-angle") for c in self.candidate or []]
-
-    @property
     def wanted(self) -> dict[str, float]:
         """Precision wanted by parameter, SI."""
         wanted = {}
@@ -220,12 +243,30 @@ class PlanOptions:
             wanted["friction_angle"] = ANGLE.read(self.want_angle, "--want-angle")
         return wanted
 
-    def run(self, estimate: Estimate, angles: list[float], wanted: dict[str, float], seed: int) -> Plan:
+    def reach(self, conditions: Sequence[Condition], motion: PlateMotion) -> Reach:
+        """What the plate can make, as far as it is told."""
+        from plategait.estimate.candidates import reach_of
+        from plategait.model.machine import machine_of
+
+        frequency = None if self.candidate_frequency is None else read_span(
+            self.candidate_frequency, FREQUENCY, "--candidate-frequency")  # fmt: skip
+        return reach_of(
+            conditions,
+            motion,
+            angle=[read_span(x, _CANDIDATE_ANGLE, "--candidate-angle") for x in self.candidate_angle or []],
+            stroke=[read_span(x, _CANDIDATE_STROKE, "--candidate-stroke") for x in self.candidate_stroke or []],
+            height=[read_span(x, _HEIGHT, "--candidate-height") for x in self.candidate_height or []],
+            phase=[read_span(x, ANGLE, "--candidate-phase") for x in self.candidate_phase or []],
+            frequency=frequency,
+            machine=None if self.machine is None else machine_of(self.machine, "--machine"),
+        )
+
+    def run(self, estimate: Estimate, reach: Reach, wanted: dict[str, float], seed: int) -> Plan:
         """Plan the next measurement."""
         from plategait.estimate.planning import next_measurement
 
         with report.progress_bar("planning") as progress:
-            return next_measurement(estimate.posterior, angles=angles, wanted=wanted, seed=seed, progress=progress)
+            return next_measurement(estimate.posterior, reach=reach, wanted=wanted, seed=seed, progress=progress)
 
 
 @dataclass(frozen=True)
@@ -253,3 +294,23 @@ def read_measured(text: str, quantity: Quantity, option: str) -> tuple[float, fl
     bare = value[-1:].isdigit() or value.endswith(".")
     sd = replace(quantity, above=-math.inf, at_least=0.0).read(spread.strip(), option)
     return quantity.read(f"{value} {unit}" if bare else value, option), sd
+
+
+def read_span(text: str, quantity: Quantity, option: str) -> tuple[float, float]:
+    """Ends, SI, of "1:6 deg"; twice the same of "3 deg".
+
+    Raises
+    ------
+    InputError
+        When an end is no number of what is measured, or the first is above the second.
+    """
+    first, colon, last = text.partition(":")
+    if not colon:
+        value = quantity.read(text, option)
+        return value, value
+    unit = last.strip().lstrip("+-.0123456789eE").strip()
+    low = quantity.read(f"{first.strip()} {unit}" if first.strip()[-1:].isdigit() else first.strip(), option)
+    high = quantity.read(last.strip(), option)
+    if not low < high:
+        raise InputError(option, text, "two ends, the lower first", f'"{quantity.example}"')
+    return low, high

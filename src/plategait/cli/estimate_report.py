@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 from plategait.cli import report
@@ -77,8 +76,7 @@ def _print_plan(result: Estimate, plan: Plan) -> None:
     from plategait.estimate.planning import MOST_MEASUREMENTS
     from plategait.estimate.result import LABELS
 
-    c = plan.condition
-    print(f"measure next at {c.frequency:.2f} Hz with A_p = {math.degrees(c.angle):.3g} deg "
+    print(f"measure next at {plan.condition.frequency:.2f} Hz with {plan.condition.text} "
           f"(runs off with a probability of {100 * plan.runs_off:.0f} %)")  # fmt: skip
     for p in (m.parameter for m in result.marginals):
         now, after = plan.sd_now[p.name] / p.scale, plan.sd_after[p.name] / p.scale
@@ -87,3 +85,9 @@ def _print_plan(result: Estimate, plan: Plan) -> None:
         least, median, most = (f"{n}{' or more' if n >= MOST_MEASUREMENTS else ''}" for n in plan.needed)
         print("  the precision wanted is there" if plan.needed[1] == 0 else
               f"  measurements for the precision wanted: about {median} ({least} to {most})")  # fmt: skip
+    if plan.programme:
+        print(f"or, to measure {len(plan.programme)} motions before the next estimate:")
+        for condition, sd in plan.programme:
+            left = ", ".join(f"{LABELS[p.name]} to {sd[p.name] / p.scale:.2g} {p.unit}".rstrip()
+                             for p in (m.parameter for m in result.marginals[:2]))  # fmt: skip
+            print(f"  {condition.frequency:.2f} Hz with {condition.text} ({left})")

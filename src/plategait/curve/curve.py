@@ -41,6 +41,9 @@ class Curve:
         Behind each point; empty for a measured curve.
     angle_deg : (n,) array or None
         Angular amplitude A_p of each point, where the file tells it.
+    stroke, height, phase : (n,) arrays or None
+        Stroke B_p of each point, m, height of the plate above its axis, m, and phase of the stroke before the turning,
+        rad, where the file tells them.
     values : mapping of str to (n,) array
         Observables by name (`plategait.simulation.registry`), SI, where they are known.
     value_sds : mapping of str to (n,) array
@@ -64,6 +67,9 @@ class Curve:
     no_fit: str = ""
     simulations: tuple[Simulation, ...] = ()
     angle_deg: Array | None = None
+    stroke: Array | None = None
+    height: Array | None = None
+    phase: Array | None = None
     runs: Array | None = None
     failed_runs: Array | None = None
     values: Mapping[str, Array] = field(default_factory=dict)

@@ -34,6 +34,10 @@ _NUMBERS = {
                     also=("plate_angle", "angular_amplitude", "angle_amplitude", "a_p", "ap")),
     "duration": Column("s", required=False, above=0.0, also=("clip_duration", "observed_for")),
     "slip_limit": Column("m", required=False, above=0.0),
+    "stroke": Column("m", "mm", required=False, at_least=0.0,
+                     also=("plate_stroke", "linear_amplitude", "stroke_amplitude", "b_p", "bp")),
+    "height": Column("m", "mm", required=False, also=("plate_height",)),
+    "phase": Column("rad", "deg", required=False, also=("stroke_phase",)),
     "runs": Column("", required=False, at_least=1.0),
     "failed_runs": Column("", required=False, at_least=0.0),
 }  # fmt: skip
@@ -92,9 +96,17 @@ def _protocol(curve: Curve) -> tuple[tuple[str, NDArray[np.float64] | None], ...
     return ("duration_s", curve.duration), ("slip_limit_mm", limit)
 
 
+def _motions(curve: Curve) -> tuple[tuple[str, NDArray[np.float64] | None], ...]:
+    """Heading and cells of what a curve tells of the plate's motion at each point."""
+    millimetres = (None if x is None else 1e3 * x for x in (curve.stroke, curve.height))
+    phase = None if curve.phase is None else np.degrees(curve.phase)
+    return tuple(zip(("angle_deg", "stroke_mm", "height_mm", "phase_deg"), (curve.angle_deg, *millimetres, phase),
+                     strict=True))  # fmt: skip
+
+
 def _written(curve: Curve) -> list[tuple[str, NDArray[np.float64]]]:
-    """Heading and cells, in its unit, of each observable and size that a curve has, and of how well each is known."""
-    written = []
+    """Heading and cells, in its unit, of each motion, observable and size that a curve has, and how well it is known."""
+    written = [(heading, column) for heading, column in _motions(curve) if column is not None]
     for o in all_observables().values():
         for kind, heading in ((curve.values, o.heading), (curve.value_sds, o.sd_heading)):
             if o.name in kind:
@@ -107,7 +119,8 @@ def _written(curve: Curve) -> list[tuple[str, NDArray[np.float64]]]:
 
 
 def read_curve(path: Path | str) -> Curve:
-    """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known the other `COLUMNS`, angle_deg, observables.
+    """Read a curve from CSV: frequency_hz, spin_rate_deg_s; where known the other `COLUMNS`, the plate's motion
+    (angle_deg, stroke_mm, height_mm, phase_deg), observables.
 
     How each point was observed may stand in duration_s and slip_limit_mm. The standard deviation of an observable ends
     in `_sd`: bending_amplitude_deg, bending_amplitude_sd_deg.
@@ -152,6 +165,9 @@ def read_curve(path: Path | str) -> Curve:
         angle_deg=table.numbers.get("angle"),
         duration=table.numbers.get("duration"),
         slip_limit=table.numbers.get("slip_limit"),
+        stroke=_in_si(table, "stroke", 1e-3),
+        height=_in_si(table, "height", 1e-3),
+        phase=_in_si(table, "phase", math.pi / 180),
         runs=runs,
         failed_runs=failed_runs,
         values={name: table[name] for name in observables if name in table.numbers},
@@ -159,6 +175,11 @@ def read_curve(path: Path | str) -> Curve:
         value_sds={n.removesuffix("_sd"): table[n] for n in sds if n in table.numbers},
         notes=tuple(filter(None, notes)),
     )
+
+
+def _in_si(table: Table, name: str, factor: float) -> NDArray[np.float64] | None:
+    """A column in SI, where the file has it."""
+    return factor * table[name] if name in table.numbers else None
 
 
 def _outcomes(table: Table, failed_runs: NDArray[np.float64]) -> list[Outcome]:

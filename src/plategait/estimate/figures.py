@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from plategait.arrays import Array
+from plategait.estimate.observations import Condition
 from plategait.estimate.prediction import Prediction
 from plategait.estimate.readings import Readings
 from plategait.estimate.result import Estimate
@@ -28,9 +30,9 @@ AXIS_LABELS = {
 
 
 def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figure:
-    """Predicted spin curves over the data, one panel an amplitude, and below them the posterior of each parameter.
+    """Predicted spin curves over the data, one panel an amplitude, and below them each parameter's posterior.
 
-    Between them a row for each of the readings, if there are any.
+    Motions that make no curve share a panel. Between them a row for each of the readings, if there are any.
     """
     d = len(estimate.marginals)
     readings = estimate.posterior.data.readings
@@ -54,54 +56,72 @@ def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figu
 
 
 def _draw_curve(axes: Axes, estimate: Estimate, prediction: Prediction) -> None:
-    """Predicted spin curve of one amplitude, and the points measured at it."""
+    """Predicted spin rates of one amplitude or of mixed motions, and the points measured under them."""
+    data = estimate.posterior.data
     _draw_prediction(axes, prediction, prediction.rates)
-    _draw_data(axes, estimate, prediction.amplitude)
-    axes.set_title(f"$A_p$ = {math.degrees(prediction.amplitude[0]):.3g} deg", loc="left", fontsize=10)
-    axes.set_ylim(bottom=0)
+    where, place = _places(prediction, data.conditions, data.which)
+    outlier = np.isin(data.frequency, estimate.goodness.outliers) & data.rated
+    for group, colour, label in ((~outlier, "black", "measured"), (outlier, ORANGE, "probably an outlier")):
+        points = where & data.rated & group
+        if points.any():
+            bars = np.where(np.isfinite(data.sd), data.sd, 0.0)[points]
+            style: dict[str, Any] = {"fmt": "o", "mfc": "white", "mec": colour, "ecolor": colour, "ms": 5.5, "mew": 1.3}
+            axes.errorbar(place[points], data.rate[points], bars, label=label, **style)
+    failed = where & data.failed
+    if failed.any():
+        axes.plot(place[failed], np.zeros(failed.sum()), "x", color=RED, ms=7, mew=1.5, clip_on=False, label="ran off")
+    axes.set_title(
+        "mixed motions" if prediction.amplitude is None else prediction.amplitude.text, loc="left", fontsize=10
+    )
+    # Only a spin rate out of phase is below zero.
+    axes.set_ylim(bottom=min(0.0, 1.1 * float(np.nanmin(data.rate[data.rated], initial=0.0))))
     axes.legend(frameon=False, fontsize=8, loc="upper left")
-    label_axes(axes, "plate frequency $f_p$ (Hz)", "spin rate $\\omega_B$ (deg/s)")
+    label_axes(axes, _across(prediction), "spin rate $\\omega_B$ (deg/s)")
 
 
 def _draw_reading(axes: Axes, estimate: Estimate, prediction: Prediction, reading: Readings) -> None:
     """What is predicted of one observable at one amplitude, and the readings of it."""
     observable, conditions = reading.observable, estimate.posterior.data.conditions
     _draw_prediction(axes, prediction, observable.scale * prediction.values[reading.name])
-    at = np.array([conditions[i].amplitude == prediction.amplitude for i in reading.which])
-    f = np.array([conditions[i].frequency for i in reading.which])
-    axes.errorbar(f[at], observable.scale * reading.value[at], observable.scale * reading.sd[at], fmt="o", mfc="white",
-                  mec="black", ecolor="black", ms=5.5, mew=1.3, label="read")  # fmt: skip
+    where, place = _places(prediction, conditions, reading.which)
+    value, sd = (observable.scale * x[where] for x in (reading.value, reading.sd))
+    axes.errorbar(place[where], value, sd, fmt="o", mfc="white", mec="black", ecolor="black", ms=5.5, mew=1.3)
     axes.set_ylim(bottom=0)
     unit = "" if observable.heading == reading.name else f" ({observable.read_in})"
-    label_axes(axes, "plate frequency $f_p$ (Hz)", f"{observable.label}{unit}")
+    label_axes(axes, _across(prediction), f"{observable.label}{unit}")
+
+
+def _places(
+    prediction: Prediction, conditions: Sequence[Condition], which: NDArray[np.int64]
+) -> tuple[NDArray[np.bool_], Array]:
+    """Which points belong to a prediction, and where they are drawn: at their frequency, or their motion's number."""
+    if prediction.amplitude is None:
+        number = {c: i + 1.0 for i, c in enumerate(prediction.conditions)}
+        place = np.array([number.get(conditions[i], math.nan) for i in which])
+        return np.isfinite(place), place
+    where = np.array([conditions[i].amplitude == prediction.amplitude for i in which], dtype=bool)
+    return where, np.array([conditions[i].frequency for i in which])
+
+
+def _across(prediction: Prediction) -> str:
+    return "motion" if prediction.amplitude is None else "plate frequency $f_p$ (Hz)"
 
 
 def _draw_prediction(axes: Axes, prediction: Prediction, values: Array) -> None:
-    f = prediction.frequency
     with np.errstate(all="ignore"):
         stays = ~fails(prediction.failed.sum(axis=0), len(prediction.failed))
         low, middle, high = (_quantile(values, q) for q in (0.05, 0.5, 0.95))
+    if prediction.amplitude is None:
+        place = 1.0 + np.arange(len(prediction.conditions))
+        axes.vlines(place, low, high, color=BLUE, alpha=0.3, lw=8, label="90 % of predictions")
+        axes.plot(place, middle, "_", color=BLUE, ms=10, label="median prediction")
+        return
+    f = prediction.frequency
     axes.fill_between(f[stays], low[stays], high[stays], color=BLUE, alpha=0.2, lw=0, label="90 % of predictions")
     axes.plot(f[stays], middle[stays], color=BLUE, lw=1.4, label="median prediction")
     runs_off = ~stays & (f > f[stays].max(initial=0.0))
     if runs_off.any():
         axes.axvspan(f[runs_off].min(), f.max(), color=GREY, alpha=0.12, lw=0, label="predicted to run off")
-
-
-def _draw_data(axes: Axes, estimate: Estimate, amplitude: tuple[float, float]) -> None:
-    data = estimate.posterior.data
-    at_amplitude = np.array([data.conditions[i].amplitude == amplitude for i in data.which])
-    outlier = np.isin(data.frequency, estimate.goodness.outliers) & data.rated
-    for group, colour, label in ((~outlier, "black", "measured"), (outlier, ORANGE, "probably an outlier")):
-        points = at_amplitude & data.rated & group
-        if points.any():
-            bars = np.where(np.isfinite(data.sd), data.sd, 0.0)[points]
-            style: dict[str, Any] = {"fmt": "o", "mfc": "white", "mec": colour, "ecolor": colour, "ms": 5.5, "mew": 1.3}
-            axes.errorbar(data.frequency[points], data.rate[points], bars, label=label, **style)
-    failed = at_amplitude & data.failed
-    if failed.any():
-        axes.plot(data.frequency[failed], np.zeros(failed.sum()), "x", color=RED, ms=7, mew=1.5, clip_on=False,
-                  label="ran off")  # fmt: skip
 
 
 def _quantile(rates: Array, q: float) -> Array:

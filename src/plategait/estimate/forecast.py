@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from plategait.arrays import Array
+from plategait.estimate.candidates import Reach
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
 from plategait.estimate.likelihood import LEAST_NOISE
 from plategait.estimate.observations import Condition
@@ -19,9 +20,6 @@ from plategait.estimate.runs import EngineRuns, run_engine
 DRAWS = 40  # of the posterior that the engine runs: enough for a quadratic of three unknowns
 MORE_DRAWS = 8  # for each unknown beyond
 SAMPLES = 2000  # of the posterior, for which the emulators stand in
-# Candidates span the gaits about the usual run-off, A_p ω_p² = 8e4 deg/s² in the source.
-USUAL_ACCELERATION = math.radians(8e4)
-SPAN = np.linspace(0.5, 1.2, 15)
 # Quantiles of the run-off frequency at which there are candidates too.
 RUN_OFF_QUANTILES = (0.2, 0.35, 0.5, 0.65, 0.8)
 USUAL_NOISE = 0.05  # relative, where the data came with their own
@@ -103,7 +101,7 @@ class Forecast:
 
 def forecast_of(
     posterior: Posterior,
-    amplitudes: Sequence[tuple[float, float]],
+    reach: Reach,
     *,
     noise: float | None = None,
     seed: int = 0,
@@ -114,8 +112,8 @@ def forecast_of(
     Parameters
     ----------
     posterior : Posterior
-    amplitudes : sequence of (angle, stroke)
-        Of the candidates, rad and m.
+    reach : Reach
+        What the plate can make.
     noise : float, optional
         Relative noise of a measurement; that of the posterior if left out.
     seed : int
@@ -126,7 +124,8 @@ def forecast_of(
     size = DRAWS + MORE_DRAWS * max(0, posterior.u.shape[1] - 3)
     draws = posterior.u[generator.choice(len(posterior.u), size, replace=False)]
     samples = posterior.u[generator.choice(len(posterior.u), SAMPLES, replace=False)]
-    grid = [condition for amplitude in amplitudes for condition in _grid(amplitude)]
+    grid = reach.grid(seed)
+    amplitudes = list(dict.fromkeys(c.amplitude for c in grid))
     readings = posterior.data.readings
     names = [r.name for r in readings]
     runs = run_engine(posterior.unknowns, draws, grid, handling=posterior.data.handling, observables=names, seed=seed,
@@ -134,16 +133,10 @@ def forecast_of(
     emulators = _Emulators.of(runs, amplitudes)
     median_noise = float(np.median(posterior.noise)) if noise is None else noise
     relative = np.array([median_noise if median_noise > 0 else USUAL_NOISE, *(r.relative for r in readings)])
-    candidates = [c for amplitude in amplitudes for c in _candidates(emulators, amplitude, samples)]
+    candidates = [*grid, *(c for a in amplitudes for c in _between(emulators, a, samples) if reach.allows(c))]
     columns = [emulators.expect(c, samples, relative) for c in candidates]
     outcome, sd, stays = (np.stack([column[k] for column in columns], axis=1) for k in range(3))
     return Forecast(tuple(candidates), posterior.unknowns.values(samples), outcome, sd, stays)
-
-
-def _grid(amplitude: tuple[float, float]) -> list[Condition]:
-    """Conditions of one amplitude at which the engine runs."""
-    usual = math.sqrt(USUAL_ACCELERATION / amplitude[0])
-    return [Condition(*amplitude, round(float(x * usual / math.tau), 2)) for x in SPAN]
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,10 +145,10 @@ class _Emulators:
 
     runs: EngineRuns
     rates: RateEmulator
-    run_offs: dict[tuple[float, float], RunOffEmulator | None]
+    run_offs: dict[Condition, RunOffEmulator | None]
 
     @staticmethod
-    def of(runs: EngineRuns, amplitudes: Sequence[tuple[float, float]]) -> _Emulators:
+    def of(runs: EngineRuns, amplitudes: Sequence[Condition]) -> _Emulators:
         """Learn from runs, all of which count alike."""
         near = np.ones(len(runs.u), dtype=bool)
         run_offs = {a: fit_run_off(runs.u, *runs.brackets(a), near) for a in amplitudes}
@@ -188,11 +181,48 @@ class _Emulators:
         return read, sd, stays
 
 
-def _candidates(emulators: _Emulators, amplitude: tuple[float, float], samples: Array) -> list[Condition]:
-    """The conditions that the engine ran, and some between them where the run-off is expected."""
+def _between(emulators: _Emulators, amplitude: Condition, samples: Array) -> list[Condition]:
+    """Conditions between those that the engine ran, where the run-off is expected."""
     run_off = emulators.run_offs[amplitude]
-    between = [] if run_off is None else np.quantile(run_off(samples), RUN_OFF_QUANTILES)
-    return _grid(amplitude) + [Condition(*amplitude, round(float(f), 2)) for f in between]
+    if run_off is None:
+        return []
+    return [amplitude.at(round(float(f), 2)) for f in np.quantile(run_off(samples), RUN_OFF_QUANTILES)]
+
+
+def programme(forecast: Forecast, scale: Array, count: int) -> list[tuple[int, Array]]:
+    """The next measurements one after the other, each the best after those before it, all known beforehand.
+
+    Parameters
+    ----------
+    forecast : Forecast
+    scale : (d,) array
+        Standard deviations worth having, which set what matters how much.
+    count : int
+
+    Returns
+    -------
+    list of (candidate, (d,) array)
+        And the variances expected after it: readings straight in the parameters and Gaussian, runs off as they come.
+    """
+    values = forecast.values - forecast.values.mean(axis=0)
+    stays = forecast.stays / np.maximum(forecast.stays.sum(axis=0), 1e-300)
+    prior = np.cov(values.T).reshape(values.shape[1], -1)
+    inverse = np.linalg.inv(prior + 1e-12 * np.diag(np.diag(prior)))
+    deviation = forecast.outcome - np.einsum("nc,ncq->cq", stays, forecast.outcome)
+    slopes = np.einsum("nc,ncq,nd->cqd", stays, deviation, values) @ inverse
+    # What a straight line leaves of a reading counts as noise of it.
+    left = np.einsum("nc,ncq->cq", stays, (deviation - np.einsum("cqd,nd->ncq", slopes, values)) ** 2 + forecast.sd**2)
+    probability, chosen = forecast.stays.mean(axis=0), []
+    covariance = prior
+    for _ in range(count):
+        gain = slopes @ covariance  # (c, q, d)
+        spread = gain @ slopes.transpose(0, 2, 1) + (left + 1e-300)[:, :, None] * np.eye(left.shape[1])
+        told = gain.transpose(0, 2, 1) @ np.linalg.solve(spread, gain)
+        after = covariance - probability[:, None, None] * told
+        best = int(np.argmin(np.sum(np.diagonal(after, axis1=1, axis2=2) / scale**2, axis=1)))
+        covariance = after[best]
+        chosen.append((best, np.diag(covariance).copy()))
+    return chosen
 
 
 def measurements_needed(forecast: Forecast, scale: Array, goals: Array, seed: int) -> tuple[int, int, int]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from plategait.arrays import Array
 from plategait.estimate.discrepancy import Discrepancy
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
-from plategait.estimate.observations import Observations
+from plategait.estimate.observations import Condition, Observations
 from plategait.estimate.runs import EngineRuns
 from plategait.estimate.unknowns import Unknown
 
@@ -48,7 +48,7 @@ class Likelihood:
 
     data: Observations
     rates: RateEmulator
-    run_offs: dict[tuple[float, float], RunOffEmulator | None]
+    run_offs: dict[Condition, RunOffEmulator | None]
     noise: float | None
     discrepancy: Discrepancy | None = None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,7 +16,7 @@ from plategait.curve.protocol import Protocol, measured_as
 from plategait.errors import InputError
 from plategait.estimate.handling import Handling
 from plategait.estimate.readings import Readings, gather, is_read, unused
-from plategait.model.motion import PlateMotion
+from plategait.model.motion import PlateMotion, Wave
 from plategait.model.scenario import Scenario
 
 MOST_CONDITIONS = 60
@@ -27,21 +27,41 @@ FREQUENCY_STEP = 0.05
 
 @dataclass(frozen=True, order=True)
 class Condition:
-    """A plate motion: frequency (Hz), angular amplitude A_p (rad) and stroke B_p (m); and how it was observed.
+    """A plate motion, and how it was observed.
 
-    `duration` (s) and `slip_limit` (m) are 0 where they are as the scenario says.
+    Attributes
+    ----------
+    angle, stroke : float
+        Angular amplitude A_p, rad, and stroke B_p, m.
+    frequency : float
+        Hz; 0 where it stands for all frequencies of an amplitude.
+    height : float
+        Of the plate above its axis, m, over what the scenario says.
+    phase : float
+        Of the stroke before the turning, rad; 0 as in the source.
+    duration, slip_limit : float
+        For how long it was observed, s, and up to which slip, m; 0 where they are as the scenario says.
     """
 
     angle: float
     stroke: float
     frequency: float
+    height: float = 0.0
+    phase: float = 0.0
     duration: float = 0.0
     slip_limit: float = 0.0
 
     def motion(self, like: PlateMotion) -> PlateMotion:
         """Plate motion of this condition, in all else like another."""
-        moved: PlateMotion = like.replace(frequency=self.frequency, angle=self.angle, stroke=self.stroke)
-        return moved
+        changes = {"frequency": self.frequency, "angle": self.angle, "height": like.height + self.height}
+        if self.phase == 0:
+            return like.replace(stroke=self.stroke, **changes)  # type: ignore[no-any-return]
+        wave = Wave(axis="x", amplitude=self.stroke, phase=self.phase)
+        return like.replace(stroke=0.0, waves=(*like.waves, wave), **changes)  # type: ignore[no-any-return]
+
+    def at(self, frequency: float) -> Condition:
+        """Same at another frequency, Hz."""
+        return replace(self, frequency=frequency)
 
     def applied(self, scenario: Scenario) -> Scenario:
         """Scenario under this motion, observed as long and up to the slip that this point was."""
@@ -52,9 +72,17 @@ class Condition:
         return measured_as(moved, Protocol(duration, scenario.measured_from, limit))
 
     @property
-    def amplitude(self) -> tuple[float, float]:
-        """Amplitudes (angle, stroke), which the points of one curve share."""
-        return self.angle, self.stroke
+    def amplitude(self) -> Condition:
+        """All but the frequency: points that share it lie on one spin curve, with one run-off."""
+        return replace(self, frequency=0.0, duration=0.0, slip_limit=0.0)
+
+    @property
+    def text(self) -> str:
+        """For people, the frequency left out: "A_p = 3 deg, B_p = 3 mm"."""
+        told = f"A_p = {math.degrees(self.angle):.3g} deg, B_p = {1e3 * self.stroke:.3g} mm"
+        if self.height:
+            told += f", the plate {1e3 * self.height:+.3g} mm"
+        return told + (f", phase {math.degrees(self.phase):.3g} deg" if self.phase else "")
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,7 +160,7 @@ class Observations:
             sd=np.concatenate([self.sd[rated], *(r.sd for r in self.readings)]),
         )
 
-    def brackets(self) -> dict[tuple[float, float], tuple[float, float]]:
+    def brackets(self) -> dict[Condition, tuple[float, float]]:
         """By amplitude, the frequencies (Hz) between which the object begins to run off.
 
         The highest at which it stayed below the lowest at which it failed; 0 or infinity where there is none.
@@ -227,21 +255,40 @@ class _Point:
 def _points(curve: Curve, motion: PlateMotion) -> Iterator[_Point]:
     """Points of a curve at which something was measured; rates positive the way that its object mostly spins."""
     failed = curve.failed
-    # By their number, not their sum: one slipped decimal point must not turn all the others round.
-    turn = -1.0 if np.nansum(np.sign(curve.spin_rate_deg_s[~failed])) < 0 else 1.0
-    angles = curve.angle_deg if curve.angle_deg is not None else np.full(len(failed), math.nan)
-    for i, frequency in enumerate(curve.frequency_hz):
-        angle = motion.angle if math.isnan(angles[i]) else math.radians(angles[i])
+    conditions = [_condition(curve, motion, i) for i in range(len(failed))]
+    # By their number, not their sum: one slipped decimal point must not turn all the others round. A stroke out of
+    # phase may turn the spin itself.
+    in_phase = ~failed & np.array([math.cos(c.phase) > 0 for c in conditions], dtype=bool)
+    turn = -1.0 if np.nansum(np.sign(curve.spin_rate_deg_s[in_phase])) < 0 else 1.0
+    for i, condition in enumerate(conditions):
         rate, sd = turn * float(curve.spin_rate_deg_s[i]), float(curve.spin_rate_sd_deg_s[i])
         if failed[i] or math.isfinite(rate) or is_read(curve, i):
-            yield _Point(Condition(angle, motion.stroke, float(frequency), *_observed(curve, i)),
-                         math.nan if failed[i] else rate,
-                         sd if sd > 0 else math.nan, bool(failed[i]), curve, i)  # fmt: skip
+            yield _Point(
+                condition, math.nan if failed[i] else rate, sd if sd > 0 else math.nan, bool(failed[i]), curve, i
+            )
 
 
-def _first_failures(points: Sequence[_Point]) -> dict[tuple[float, float], float]:
+def _condition(curve: Curve, motion: PlateMotion, i: int) -> Condition:
+    """Plate motion of a curve's point: what the curve tells, else the motion."""
+
+    def told(column: Array | None, otherwise: float) -> float:
+        return otherwise if column is None or math.isnan(column[i]) else float(column[i])
+
+    duration, slip_limit = _observed(curve, i)
+    return Condition(
+        angle=math.radians(told(curve.angle_deg, math.degrees(motion.angle))),
+        stroke=told(curve.stroke, motion.stroke),
+        frequency=float(curve.frequency_hz[i]),
+        height=told(curve.height, motion.height) - motion.height,
+        phase=told(curve.phase, 0.0),
+        duration=duration,
+        slip_limit=slip_limit,
+    )
+
+
+def _first_failures(points: Sequence[_Point]) -> dict[Condition, float]:
     """Lowest frequency at which any failed, Hz, by amplitude; infinite where none did."""
-    first: dict[tuple[float, float], float] = {}
+    first: dict[Condition, float] = {}
     for p in points:
         at = p.condition.frequency if p.failed else math.inf
         first[p.condition.amplitude] = min(first.get(p.condition.amplitude, math.inf), at)

@@ -7,17 +7,20 @@ posterior, the rate and the run-off to expect; the best candidate is the one tha
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from plategait.errors import InputError
-from plategait.estimate.forecast import MOST_MEASUREMENTS, forecast_of, measurements_needed
+from plategait.estimate.candidates import Reach, reach_of
+from plategait.estimate.forecast import MOST_MEASUREMENTS, forecast_of, measurements_needed, programme
 from plategait.estimate.observations import Condition
 from plategait.estimate.posterior import Posterior
 
+# Measurements that a programme holds.
+PROGRAMME = 6
 # Standard deviations worth having, SI: what the method is made for. What is only sought because nobody knows it counts
 # as far as it helps these.
 PRECISION = {
@@ -36,7 +39,7 @@ class Plan:
     Attributes
     ----------
     condition : Condition
-        Plate frequency (Hz) and amplitudes.
+        Plate motion.
     runs_off : float
         Probability that the object runs off there: a run-off tells as well as a rate does.
     sd_now, sd_after : dict
@@ -46,6 +49,9 @@ class Plan:
     needed : tuple of (int, int, int) or None
         Further measurements until every wanted precision holds, each the best at its time: least, median and most of
         several futures. `MOST_MEASUREMENTS` stands for that many or more.
+    programme : tuple of (Condition, dict)
+        The next few measurements where all are to be made before the next estimate, each the best after those before
+        it, with the standard deviation of each parameter to expect after it, SI.
     """
 
     condition: Condition
@@ -54,21 +60,28 @@ class Plan:
     sd_after: dict[str, float]
     runners_up: tuple[tuple[Condition, float], ...]
     needed: tuple[int, int, int] | None
+    programme: tuple[tuple[Condition, dict[str, float]], ...] = ()
 
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`."""
-        c = self.condition
         return {
-            "frequency_hz": c.frequency, "angle_deg": math.degrees(c.angle), "stroke_mm": 1e3 * c.stroke,
+            **_numbers(self.condition),
             "probability_of_run_off": self.runs_off, "sd_now": self.sd_now, "sd_after": self.sd_after,
             "needed": list(self.needed) if self.needed else None, "needed_at_most_shown": MOST_MEASUREMENTS,
+            "programme": [{**_numbers(condition), "sd_after": sd} for condition, sd in self.programme],
         }  # fmt: skip
+
+
+def _numbers(c: Condition) -> dict[str, float]:
+    """Plate motion in plain numbers."""
+    return {"frequency_hz": c.frequency, "angle_deg": math.degrees(c.angle), "stroke_mm": 1e3 * c.stroke,
+            "height_change_mm": 1e3 * c.height, "phase_deg": math.degrees(c.phase)}  # fmt: skip
 
 
 def next_measurement(
     posterior: Posterior,
     *,
-    angles: Sequence[float] = (),
+    reach: Reach | None = None,
     wanted: dict[str, float] | None = None,
     noise: float | None = None,
     seed: int = 0,
@@ -80,8 +93,8 @@ def next_measurement(
     ----------
     posterior : Posterior
         Of what was measured so far.
-    angles : sequence of float
-        Angular amplitudes A_p that the plate can make, rad; those measured, and twice and four times them if left out.
+    reach : Reach, optional
+        What the plate can make; what it made in the measurement if left out.
     wanted : dict, optional
         Standard deviation wanted of each parameter, SI; `PRECISION` by default. Sets what matters how much.
     noise : float, optional
@@ -99,7 +112,8 @@ def next_measurement(
             raise InputError(f"--want {name}", value, f"above 0, of one of {', '.join(names)}",
                              '--want-angle "1 deg"')  # fmt: skip
     scale = np.array([(PRECISION | (wanted or {})).get(name, math.inf) for name in names])
-    forecast = forecast_of(posterior, _amplitudes(posterior, angles), noise=noise, seed=seed, progress=progress)
+    reach = reach or reach_of(posterior.data.conditions, posterior.unknowns.base.motion)
+    forecast = forecast_of(posterior, reach, noise=noise, seed=seed, progress=progress)
     now, after = forecast.variances(forecast.even), forecast.expected_variances(forecast.even)
     loss = np.sum(after / scale**2, axis=1)
     best, *others = (int(i) for i in np.argsort(loss, kind="stable"))
@@ -113,14 +127,8 @@ def next_measurement(
             (forecast.conditions[i], float(math.sqrt(loss[i] / np.sum(now / scale**2)))) for i in others[:3]
         ),
         needed=measurements_needed(forecast, scale, goals, seed) if wanted else None,
+        programme=tuple(
+            (forecast.conditions[i], dict(zip(names, np.sqrt(np.maximum(variance, 0.0)).tolist(), strict=True)))
+            for i, variance in programme(forecast, scale, PROGRAMME)
+        ),
     )
-
-
-def _amplitudes(posterior: Posterior, angles: Sequence[float]) -> list[tuple[float, float]]:
-    """Amplitudes to choose from."""
-    measured = list(dict.fromkeys(c.amplitude for c in posterior.data.conditions))
-    stroke = measured[0][1]
-    if angles:
-        return [(float(a), stroke) for a in angles]
-    largest = max(a for a, _ in measured)
-    return measured + [(k * largest, stroke) for k in (2, 4) if k * largest <= math.radians(24)]

@@ -277,7 +277,8 @@ def estimate_parameters(
     if motions is not None and len(motions) != len(curves):
         raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
                          "[scenario.motion]")  # fmt: skip
-    data = observe_curves(curves, motions or [scenario.motion] * len(curves), Handling(ramp=ramp))
+    scenario, motions = _at_height_of(curves, scenario, motions or [scenario.motion] * len(curves))
+    data = observe_curves(curves, motions, Handling(ramp=ramp))
     scenario = _observed_as(scenario, curves)
     parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed, measured=measured)
     if any_law and not model_error:
@@ -317,6 +318,17 @@ def _observed_as(scenario: Scenario, curves: Sequence[Curve]) -> Scenario:
 
 def _read_model_error(value: float) -> float:
     return _MODEL_ERROR.read(value, "model_error")
+
+
+def _at_height_of(
+    curves: Sequence[Curve], scenario: Scenario, motions: Sequence[PlateMotion]
+) -> tuple[Scenario, list[PlateMotion]]:
+    """Scenario and motions with the plate at the median height that the curves tell, if any does."""
+    told = np.concatenate([np.zeros(0), *(c.height for c in curves if c.height is not None)])
+    if not np.isfinite(told).any():
+        return scenario, list(motions)
+    height = float(np.nanmedian(told))
+    return scenario.replace(**{"motion.height": height}), [m.replace(height=height) for m in motions]
 
 
 def _read_noise(value: float | None) -> float | None:

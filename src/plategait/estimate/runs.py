@@ -55,7 +55,7 @@ class EngineRuns:
                       np.concatenate([self.failed, more.failed]),
                       {name: np.concatenate([x, more.values[name]]) for name, x in self.values.items()})  # fmt: skip
 
-    def brackets(self, amplitude: tuple[float, float]) -> tuple[Array, Array]:
+    def brackets(self, amplitude: Condition) -> tuple[Array, Array]:
         """Frequencies (n,) between which each run of one amplitude begins to fail; 0 or infinity where none."""
         columns = [i for i, c in enumerate(self.conditions) if c.amplitude == amplitude]
         return brackets(self.failed[:, columns], [self.conditions[i].frequency for i in columns])
