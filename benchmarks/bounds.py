@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from benchmarks.recovery import BASE, true_object
 from plategait.curve.curve import Curve
@@ -50,9 +51,10 @@ class Design:
     read: tuple[str, ...] = ()
 
 
-def shares(truth: Sequence[float]) -> np.ndarray:
+def shares(truth: ArrayLike) -> np.ndarray:
     """Shares (5,) of the priors of an object (ω_n in π rad/s, α in deg, β), c_b and height as the scenario has them."""
-    values = (math.pi * truth[0], math.radians(truth[1]), truth[2], 1.0, BASE.motion.height)
+    omega, alpha, beta = np.asarray(truth, dtype=float)
+    values = (math.pi * omega, math.radians(alpha), beta, 1.0, BASE.motion.height)
     return np.array([p.share(v) for p, v in zip(SOUGHT.parameters, values, strict=True)])
 
 
