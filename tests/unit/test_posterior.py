@@ -279,7 +279,7 @@ def test_predictions_span_a_little_more_than_was_measured(monkeypatch):
 
 
 def test_motions_that_make_no_curve_are_predicted_as_they_were_measured(monkeypatch):
-    def engine(unknowns, u, conditions, *, observables=(), seed=0, progress=None):
+    def engine(unknowns, u, conditions, *, handling=None, observables=(), seed=0, progress=None):
         return EngineRuns(
             u, tuple(conditions), np.ones((len(u), len(conditions))), np.zeros((len(u), len(conditions)), bool)
         )
