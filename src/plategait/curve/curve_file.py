@@ -105,7 +105,7 @@ def _motions(curve: Curve) -> tuple[tuple[str, NDArray[np.float64] | None], ...]
 
 
 def _written(curve: Curve) -> list[tuple[str, NDArray[np.float64]]]:
-    """Heading and cells, in its unit, of each motion, observable and size that a curve has, and how well it is known."""
+    """Heading and cells, in its unit, of each motion, observable and size of a curve, and how well it is known."""
     written = [(heading, column) for heading, column in _motions(curve) if column is not None]
     for o in all_observables().values():
         for kind, heading in ((curve.values, o.heading), (curve.value_sds, o.sd_heading)):

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
+from plategait.estimate.observations import Condition
 from plategait.estimate.runs import EngineRuns
 from plategait.model.scenario import Scenario
 
@@ -95,7 +96,7 @@ class Discrepancy:
     coefficients: Array
     centre: Array
     scatter: Array
-    run_offs: dict[tuple[float, float], float]
+    run_offs: dict[Condition, float]
     share: float
 
     @property
@@ -108,7 +109,7 @@ class Discrepancy:
         changes = np.einsum("nt,ktc->nkc", _terms(u - self.centre), self.coefficients)
         return self.share * np.clip(changes, LARGEST_FALL, LARGEST_RISE)
 
-    def run_off(self, amplitude: tuple[float, float]) -> float:
+    def run_off(self, amplitude: Condition) -> float:
         """Standard deviation of the run-off's frequency, Hz."""
         return self.share * self.run_offs[amplitude]
 
@@ -182,18 +183,18 @@ def _beside(runs: EngineRuns, known: NDArray[np.bool_]) -> NDArray[np.int64]:
     return beside
 
 
-def _middles(runs: EngineRuns, amplitude: tuple[float, float]) -> Array:
+def _middles(runs: EngineRuns, amplitude: Condition) -> Array:
     """Middle (n,) of the bracket in which each set's run-off lies, Hz; NaN where there is none."""
     low, high = runs.brackets(amplitude)
     return np.where((low > 0) & np.isfinite(high), 0.5 * (low + high), math.nan)
 
 
-def _own_run_off(own: EngineRuns, amplitude: tuple[float, float]) -> float:
+def _own_run_off(own: EngineRuns, amplitude: Condition) -> float:
     middles = _middles(own, amplitude)
     return OWN_RUN_OFF * float(np.nanmedian(middles)) if np.isfinite(middles).any() else 0.0
 
 
-def _shift(own: EngineRuns, other: EngineRuns, amplitude: tuple[float, float]) -> float:
+def _shift(own: EngineRuns, other: EngineRuns, amplitude: Condition) -> float:
     """Mean change of the run-off's frequency, Hz, over the sets in which both models bracket it; 0 where none do."""
     before, after = _middles(own, amplitude), _middles(other, amplitude)
     both = np.isfinite(before + after)

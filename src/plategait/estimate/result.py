@@ -262,7 +262,6 @@ def estimate_parameters(
     seed : int
         Of the sampling: the same data and seed give the same estimate.
     progress : callable, optional
-        Called with the fraction done.
 
     Raises
     ------
