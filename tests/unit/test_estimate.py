@@ -208,8 +208,11 @@ def test_a_failure_under_one_motion_says_nothing_of_another():
 
 def test_a_stroke_out_of_phase_may_turn_the_spin():
     """The sense that counts as positive is that of the points in phase."""
-    data = observe_curves([curve([14, 16, 18, 20], [70, -90, -100, -110], phase=[0, 3, 3, 3])], [MOTION])
-    assert data.rate[data.rated].tolist() == [70, -90, -100, -110]
+    for phase in (3.0, math.pi / 2):
+        data = observe_curves([curve([14, 16, 18, 20], [70, -90, -100, -110], phase=[0, *[phase] * 3])], [MOTION])
+        assert sorted(data.rate[data.rated]) == [-110, -100, -90, 70]
+    alone = observe_curves([curve([14, 16, 18], [-70, -90, 100], phase=[1.5] * 3)], [MOTION])
+    assert sorted(alone.rate) == [-90, -70, 100]
 
 
 # Candidates

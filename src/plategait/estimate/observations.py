@@ -23,6 +23,8 @@ MOST_CONDITIONS = 60
 LEAST_RATES = 3
 # Run-offs are told apart no finer than a plate's frequency is set, Hz.
 FREQUENCY_STEP = 0.05
+# Cosine of the phase of the stroke, 45 deg, up to which an object spins the way that it does in phase.
+IN_PHASE = 0.7
 
 
 @dataclass(frozen=True, order=True)
@@ -257,8 +259,8 @@ def _points(curve: Curve, motion: PlateMotion) -> Iterator[_Point]:
     failed = curve.failed
     conditions = [_condition(curve, motion, i) for i in range(len(failed))]
     # By their number, not their sum: one slipped decimal point must not turn all the others round. A stroke out of
-    # phase may turn the spin itself.
-    in_phase = ~failed & np.array([math.cos(c.phase) > 0 for c in conditions], dtype=bool)
+    # phase may turn the spin itself; where none is in phase, the rates are taken as they stand.
+    in_phase = ~failed & np.array([math.cos(c.phase) > IN_PHASE for c in conditions], dtype=bool)
     turn = -1.0 if np.nansum(np.sign(curve.spin_rate_deg_s[in_phase])) < 0 else 1.0
     for i, condition in enumerate(conditions):
         rate, sd = turn * float(curve.spin_rate_deg_s[i]), float(curve.spin_rate_sd_deg_s[i])

@@ -85,15 +85,16 @@ def run_engine(
     observables : sequence of str
         What else is kept of each run.
     changed : callable, optional
-        What else is changed of each scenario: another model of the same object.
+        What else is changed of each set's scenario: another model of the same object.
     seed : int
         Of the differences in handling.
     progress : callable, optional
         Called with the fraction done.
     """
-    scenarios = [c.applied(s) for s in map(unknowns.scenario, unknowns.values(u)) for c in conditions]
+    objects = map(unknowns.scenario, unknowns.values(u))
     if changed is not None:
-        scenarios = [changed(s) for s in scenarios]
+        objects = map(changed, objects)
+    scenarios = [c.applied(s) for s in objects for c in conditions]
     if handling is not None:
         drawn = handling.drawn(len(u), len(conditions), np.random.default_rng(seed))
         scenarios = [s.replace(**changes) for s, changes in zip(scenarios, drawn, strict=True)]
