@@ -166,9 +166,11 @@ def read_samples(path: Path, field: str = "samples") -> Samples:
     }
     rows = [row for _, row in read_rows(path, field, '"motion.csv"')[0]]
     names = rows.pop(0) if rows else []
-    if slopes := {f"{name}{per}" for name in names for per in ("_s", "_s2") if name in scale}:
-        rows = [[cell for name, cell in zip(names, row, strict=False) if name not in slopes] for row in rows]
-        names = [name for name in names if name not in slopes]
+    slopes = {f"{name}{per}" for name in names for per in ("_s", "_s2") if name in scale}
+    kept = [i for i, name in enumerate(names) if name not in slopes]
+    # Of a row that is short or long nothing is kept, so that it is refused.
+    rows = [[row[i] for i in kept] if len(row) == len(names) else [] for row in rows]
+    names = [names[i] for i in kept]
     if "time_s" not in names or not set(names) <= set(scale) or len(set(names)) < len(names):
         said = ", ".join(names) if set(names) & set(scale) else f"{len(names)} of no known name" if names else "none"
         raise InputError(field, f"columns {said} in {path.name}",
