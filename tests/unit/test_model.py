@@ -480,9 +480,11 @@ def test_samples_with_a_byte_order_mark_are_read(tmp_path):
     "text",
     ["", "time_s,x_mm\n", "x_mm\n1\n", "time_s,x\n0,0\n1,1\n", "time_s,x_mm\n0,0\n1,\n", "time_s,x_mm\n0,0\n1,a\n",
      "time_s,x_mm\n0,0\n1,nan\n", "time_s,x_mm\n0,0\n", "time_s,x_mm\n0,0\n0,1\n", "time_s,x_mm\n1,0\n2,1\n",
-     "time_s,x_mm\n0,0\n1,1,5\n", "time_s,x_mm\n0\n1,1\n", "time_s,x_mm,x_mm_s\n0,0,0\n1,1\n", 'time_s,x_mm\n0,"' + "1" * 200_000 + '"\n'],
+     "time_s,x_mm\n0,0\n1,1,5\n", "time_s,x_mm\n0\n1,1\n", "time_s,x_mm,x_mm_s\n0,0,0\n1,1\n",
+     'time_s,x_mm\n0,"' + "1" * 200_000 + '"\n'],
     ids=["empty", "no rows", "no time", "wrong column", "gap", "text", "nan", "one row", "standing time", "late start",
-         "extra cell", "missing cell", "missing speed", "endless cell"],
+         "extra cell", "missing cell", "missing speed",
+         "endless cell"],
 )  # fmt: skip
 def test_bad_samples_are_refused(tmp_path, text):
     path = tmp_path / "motion.csv"
