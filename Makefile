@@ -11,8 +11,9 @@
 PYTHON ?= python3
 BIN := .venv/bin
 # A process for each of up to four cores; files stay whole, as some share what took long to make. One thread of BLAS in
-# each: more would wait for one another.
-PYTEST := OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
+# each: more would wait for one another. In the order of their folders: by default files of few tests, which are those of
+# long ones, come last, and one process waits for the other.
+PYTEST := OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 
 .PHONY: demo test test-fast test-kernels lint bench bench-peers fuzz sanitize clean always
