@@ -84,7 +84,7 @@ def test_a_file_tells_a_curve(curve_file):
 
 @pytest.mark.slow
 def test_an_estimate_of_files_is_that_of_what_they_hold(curve_file):
-    known = {"noise": 0.05, "friction_ratio": 0.53, "fixed": "natural_frequency"}
+    known = {"noise": 0.05, "friction_ratio": 0.53, "fixed": "natural_frequency", "model_error": 0}
     by_name = pg.estimate_parameters(str(curve_file), "cheese", **known)
     by_value = pg.estimate_parameters([pg.read_curve(curve_file)], CHEESE, **known)
     assert by_name.posterior.u.tolist() == by_value.posterior.u.tolist()
