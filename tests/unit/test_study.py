@@ -1,6 +1,7 @@
 """The study of the source's unknowns: its parts against closed forms, its whole on a toy that stands for the engine."""
 
 import math
+from functools import partial
 
 import numpy as np
 import pytest
@@ -155,6 +156,7 @@ def test_the_whole_study_says_what_holds_out_of_sample(tmp_path, monkeypatch):
     monkeypatch.setattr(source, "find", lambda choices, *_, **__: (AS_PUBLISHED,) * len(choices))
     monkeypatch.setattr(search, "STEPS", 60)
     monkeypatch.setattr(search, "BURNT", 30)
+    monkeypatch.setattr(source, "polish", partial(polish.polish, rounds=1))
     study = source.study_source(tmp_path, seeds=2, first=64, generations=4)
     assert set(study.chosen.free) == set(TRUTH)
     assert len(study.by_seed) == 2
