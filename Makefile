@@ -30,12 +30,13 @@ $(BIN)/python:
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
 	touch $@
 
+# What is installed satisfies pip, which adds what the extra asks for and builds nothing again.
 .venv/installed-test: .venv/installed
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[test]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'plategait[test]'
 	touch $@
 
 .venv/installed-lint: .venv/installed
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[lint]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'plategait[lint]'
 	touch $@
 
 demo: .venv/installed
@@ -63,7 +64,7 @@ bench: .venv/installed
 	$(BIN)/python -m benchmarks
 
 .venv/installed-peers: .venv/installed
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[peers]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'plategait[peers]'
 	touch $@
 
 bench-peers: .venv/installed-peers

@@ -1,6 +1,6 @@
 """How near a preset comes to the published curves, and the default step to a small one, as the tables of the docs.
 
-``python -m benchmarks.fidelity [--preset cheese] [--part fits vertex typed twelve steps]``
+``python -m benchmarks.fidelity [--preset cheese] [--part fits vertex typed twelve steps tiles] [--curves FOLDER]``
 """
 
 from __future__ import annotations
@@ -9,19 +9,23 @@ import argparse
 import itertools
 import math
 from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
 from plategait import published
 from plategait.curve.curve import Curve
-from plategait.curve.protocol import measured_as
-from plategait.curve.spin_curve import spin_curve
+from plategait.curve.curve_file import read_curve, write_curve
+from plategait.curve.protocol import REGENERATED, measured_as
+from plategait.curve.spin_curve import fit_curve, spin_curve
+from plategait.engine.engines import Engine
 from plategait.model.presets import NOMINAL_NATURAL_FREQUENCY, preset
 from plategait.model.scenario import Scenario
 from plategait.published import FRICTION_RATIO, REFERENCE_ALPHA, PublishedCurve
 from plategait.simulation.run import simulate_all
 from plategait.study.aims import PEAKS
-from plategait.study.evaluation import is_reference
+from plategait.study.evaluation import FREQUENCIES, is_reference
 from plategait.thesis.runs import STRICT_SLIP_LIMIT
 
 CASES = tuple(c for c in published.curves() if is_reference(c))
@@ -141,6 +145,35 @@ def steps(name: str, cases: Sequence[PublishedCurve]) -> None:
                 print_row([f"{case.omega_pi:g} π", *("–" if math.isnan(e) else f"{e:.1f}" for e in row)])
 
 
+def tiles(name: str, cases: Sequence[PublishedCurve], folder: Path) -> None:
+    """Fits of the rigid tiles' curves beside the lattice's, from one start each, as the studies measure them."""
+    print_row(["A_p, ω_n", "f0 published", "lattice", "tiles", "b/f0 published", "lattice", "tiles",
+               "ω_Br max published", "lattice", "tiles"])  # fmt: skip
+    print_row(["---"] * 10)
+    for case in cases:
+        made = [by_engine(name, case, engine, folder).fit for engine in ("cpu", "tiles")]
+        rows = (
+            (f"{case.f0_hz:.1f} Hz", ["–" if f is None else f"{f.f0_hz:.1f}" for f in made]),
+            (f"{case.b_over_f0:.3f}", ["–" if f is None else f"{f.half_width_hz / f.f0_hz:.3f}" for f in made]),
+            (
+                f"{PEAKS[case.angle_deg, case.omega_pi]:.0f} deg/s",
+                ["–" if f is None else f"{f.peak:.0f}" for f in made],
+            ),
+        )
+        print_row([label(case), *(cell for printed, ours in rows for cell in (printed, *ours))])
+
+
+def by_engine(name: str, case: PublishedCurve, engine: Engine, folder: Path) -> Curve:
+    """Curve of a case by an engine, read from the folder where it was made before: tiles take minutes."""
+    path = folder / f"{name}-{case.angle_deg}deg-{case.omega_pi:g}pi-{engine}.csv"
+    if path.exists():
+        return fit_curve(read_curve(path))
+    curve = spin_curve(measured_as(scenario_of(name, case), REGENERATED), FREQUENCIES[case.angle_deg], engine=engine)
+    folder.mkdir(parents=True, exist_ok=True)
+    write_curve(replace(curve, simulations=()), path)
+    return curve
+
+
 PARTS = {"fits": fits, "vertex": vertex, "typed": typed, "twelve": twelve, "steps": steps}
 
 
@@ -148,11 +181,12 @@ def main() -> None:
     """Print the tables that are asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--preset", default="cheese")
-    parser.add_argument("--part", nargs="+", choices=PARTS, default=list(PARTS))
+    parser.add_argument("--part", nargs="+", choices=[*PARTS, "tiles"], default=list(PARTS))
+    parser.add_argument("--curves", type=Path, default=Path("out/tiles"), help="where part tiles keeps its curves")
     options = parser.parse_args()
     for part in options.part:
-        print(f"\n{part}\n")
-        PARTS[part](options.preset, CASES)
+        print(f"\n{part}\n", flush=True)
+        tiles(options.preset, CASES, options.curves) if part == "tiles" else PARTS[part](options.preset, CASES)
 
 
 if __name__ == "__main__":

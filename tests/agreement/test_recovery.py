@@ -114,7 +114,7 @@ def test_an_outlier_is_named_and_does_no_harm(truth):
     spoiled[4] *= 1.6
     estimate = estimate_parameters(
         Curve("s", curve.frequency_hz, spoiled, curve.spin_rate_sd_deg_s, curve.gait, curve.failure), BASE,
-        friction_ratio=truth[2],
+        friction_ratio=truth[2], model_error=0, fixed=("bending_damping", "plate_height"),
     )  # fmt: skip
     assert estimate.goodness.outliers == (FREQUENCIES[4],)
     marginal = estimate["friction_angle"]

@@ -43,8 +43,8 @@ def test_modes_agree(name, torsion):
 
 @pytest.fixture(scope="module")
 def curves():
-    """Both engines from sliding to the walking peak: 15 s of tiles, which cannot be had for less."""
-    changes = {"duration": 0.4, "transient": 0.2}
+    """Both engines from sliding to the walking peak: 10 s of tiles, which cannot be had for less."""
+    changes = {"duration": 0.3, "transient": 0.15}
     scenarios = [CHEESE.replace(**{"motion.frequency": f, **changes}) for f in (14.0, 18.0, 22.0)]
     return simulate_all(scenarios, engine="tiles"), simulate_all(scenarios)
 

@@ -23,7 +23,7 @@ def commands_built_once():
 
 @pytest.fixture
 def called(monkeypatch, capsys):
-    """Run a command line without the third of a second that a process takes to start.
+    """Run a command line without the half second and more that a process takes to start.
 
     The installed command is nothing but this call; each file of tests starts it as a process too.
     """

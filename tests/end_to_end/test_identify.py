@@ -35,9 +35,9 @@ def plategait(*arguments: str, cwd: Path, check: int | None = None) -> subproces
         ("modes", "sheet.bending_stiffness", 2.55e-3, 0.01),
     ],
 )
-def test_an_example_becomes_a_fragment_that_simulates(tmp_path, kind, field, value, within):
-    plategait("identify", "example", kind, "r.csv", cwd=tmp_path, check=0)
-    done = plategait("identify", kind, "r.csv", "--out", "f.toml", "--plot", "p.png", cwd=tmp_path, check=0)
+def test_an_example_becomes_a_fragment_that_simulates(called, tmp_path, kind, field, value, within):
+    called("identify", "example", kind, "r.csv", cwd=tmp_path, check=0)
+    done = called("identify", kind, "r.csv", "--out", "f.toml", "--plot", "p.png", cwd=tmp_path, check=0)
     assert done.stderr == ""
     assert (tmp_path / "p.png").stat().st_size > 10_000
     data = tomllib.loads((tmp_path / "f.toml").read_text())
@@ -45,7 +45,7 @@ def test_an_example_becomes_a_fragment_that_simulates(tmp_path, kind, field, val
     written = data[section][name]
     assert (float(str(written).split()[0])) == pytest.approx(value, rel=within)
     assert field in data["uncertainty"]["sd"]
-    done = plategait("simulate", "cheese", "--with", "f.toml", "--draws", "4", "--duration", "0.2 s", "--json",
+    done = called("simulate", "cheese", "--with", "f.toml", "--draws", "4", "--duration", "0.2 s", "--json",
                      cwd=tmp_path, check=0)  # fmt: skip
     drawn = json.loads(done.stdout)["draws"]
     assert drawn["runs"] == 4
@@ -61,10 +61,10 @@ def test_what_is_no_recording_is_one_line(called, tmp_path, kind, text):
     assert not (tmp_path / "f.toml").exists()
 
 
-def test_estimate_gives_numbers_a_fragment_and_a_picture(tmp_path):
+def test_estimate_gives_numbers_a_fragment_and_a_picture(called, tmp_path):
     (tmp_path / "c.csv").write_text(CURVE)
     files = ("--out", "e.toml", "--plot", "e.png")
-    done = plategait("estimate", "c.csv", "--noise", "5%", "--beta", "0.53", "--model-error", "0", "--json", *files,
+    done = called("estimate", "c.csv", "--noise", "5%", "--beta", "0.53", "--model-error", "0", "--json", *files,
                       cwd=tmp_path, check=0)  # fmt: skip
     numbers = json.loads(done.stdout)
     angle = numbers["parameters"]["friction_angle"]
@@ -94,21 +94,21 @@ def test_a_spreadsheet_s_curve_gives_what_the_plain_one_gives(called, tmp_path):
         assert "is 16 Hz meant?" in called(*command, "slip.csv", cwd=tmp_path, check=status).stdout
 
 
-def test_the_linear_method_and_its_refusal(tmp_path):
+def test_the_linear_method_and_its_refusal(called, tmp_path):
     lines = [f"{f},{520 / (1 + ((f - 25) / 5.2) ** 2):.2f}" for f in range(14, 29)]
     (tmp_path / "c.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *lines]))
-    done = plategait("estimate", "c.csv", "--method", "linear", "--json", cwd=tmp_path, check=0)
+    done = called("estimate", "c.csv", "--method", "linear", "--json", cwd=tmp_path, check=0)
     numbers = json.loads(done.stdout)["parameters"]
     # (5.6) and (5.7) at f0 = 25 Hz and b/f0 = 0.208, which the exact Lorentzian gives back to its printed digits.
     assert numbers["natural_frequency"]["median"] == pytest.approx(5.30 * 25 - 121.62, abs=0.05)
     assert numbers["friction_angle"]["median"] == pytest.approx(545.02 * 0.208 - 74.71, abs=0.3)
     narrow = [f"{f},{520 / (1 + ((f - 25) / 3.0) ** 2):.2f}" for f in range(14, 29)]
     (tmp_path / "n.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *narrow]))
-    done = plategait("estimate", "n.csv", "--method", "linear", cwd=tmp_path, check=1)
+    done = called("estimate", "n.csv", "--method", "linear", cwd=tmp_path, check=1)
     assert "24 to 57 deg" in done.stdout
     rising = [f"{f},{10 * f}" for f in range(14, 24)]
     (tmp_path / "r.csv").write_text("\n".join(["frequency_hz,spin_rate_deg_s", *rising]))
-    done = plategait("estimate", "r.csv", "--method", "linear", cwd=tmp_path, check=2)
+    done = called("estimate", "r.csv", "--method", "linear", cwd=tmp_path, check=2)
     assert "--method posterior" in done.stderr
 
 

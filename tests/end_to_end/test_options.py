@@ -288,7 +288,8 @@ def answers(files) -> dict[str, object]:
     run = simulate(cheese, snapshot_interval=cheese.motion.period / 24)
     truth = film(run, files / "clip.mp4", usual_camera(cheese, 480, 270), 30.0, seconds=0.5)
     seen = track(files / "clip.mp4")
-    estimate = estimate_parameters(files / "few.csv", cheese, noise=0.1, friction_ratio=0.53, fixed="natural_frequency")
+    estimate = estimate_parameters(files / "few.csv", cheese, noise=0.1, friction_ratio=0.53, fixed="natural_frequency",
+                                   model_error=0)  # fmt: skip
     plan = SimpleNamespace(condition=Condition(0.1, 0.003, 20.0), runs_off=0.0, needed=None, programme=(),
                            sd_now=dict.fromkeys(estimate.posterior.unknowns.names, 1.0),
                            sd_after=dict.fromkeys(estimate.posterior.unknowns.names, 0.5))  # fmt: skip

@@ -44,9 +44,8 @@ def test_curve_and_modes_plot(called, tmp_path, suffix):
 
 
 @pytest.mark.parametrize(("option", "name"), [("--film", "a.gif"), ("--plot", "a.txt"), ("--filmstrip", "gone/a.png")])
-def test_a_picture_that_cannot_be_written_is_refused_before_any_work(tmp_path, option, name):
-    done = run("simulate", "--duration", "1000 s", option, name, cwd=tmp_path)
-    assert done.returncode == 2
+def test_a_picture_that_cannot_be_written_is_refused_before_any_work(called, tmp_path, option, name):
+    done = called("simulate", "--duration", "1000 s", option, name, cwd=tmp_path, check=2)
     assert len(done.stderr.strip().splitlines()) == 1
     assert option in done.stderr
     assert not list(tmp_path.iterdir())

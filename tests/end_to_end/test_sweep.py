@@ -61,11 +61,11 @@ def whole(tmp_path_factory) -> Path:
     return folder / "s.zarr"
 
 
-def test_a_campaign_killed_a_dozen_times_ends_with_the_same_bits(whole, tmp_path):
+def test_a_campaign_killed_eight_times_ends_with_the_same_bits(whole, tmp_path):
     (tmp_path / "s.toml").write_text(PLAN)
     wait = random.Random(11)
     kills = 0
-    for _ in range(12):
+    for _ in range(8):
         running = subprocess.Popen(
             [COMMAND, "sweep", "s.toml"], cwd=tmp_path, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
@@ -74,7 +74,7 @@ def test_a_campaign_killed_a_dozen_times_ends_with_the_same_bits(whole, tmp_path
         kills += running.poll() is None
         running.send_signal(signal.SIGKILL)
         running.wait()
-    assert kills >= 5, "most were killed while they ran"
+    assert kills >= 4, "most were killed while they ran"
     assert command("sweep", "s.toml", cwd=tmp_path).returncode == 0
     assert_same(tmp_path / "s.zarr", whole)
 
@@ -95,12 +95,10 @@ def test_a_store_opens_with_one_line(whole):
     assert float(here) == alone
 
 
-def test_status_and_plot(whole, tmp_path):
-    status = command("sweep", "--status", str(whole), "--json", cwd=tmp_path)
-    assert status.returncode == 0, status.stderr
+def test_status_and_plot(called, whole, tmp_path):
+    status = called("sweep", "--status", str(whole), "--json", cwd=tmp_path, check=0)
     assert json.loads(status.stdout)["points_done"] == 38
-    drawn = command("plot", str(whole), "--out", "map.png", cwd=tmp_path)
-    assert drawn.returncode == 0, drawn.stderr
+    called("plot", str(whole), "--out", "map.png", cwd=tmp_path, check=0)
     assert (tmp_path / "map.png").stat().st_size > 10_000
 
 

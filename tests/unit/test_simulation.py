@@ -471,6 +471,13 @@ def test_a_first_result_needs_none_of_the_slow_libraries():
     assert found.stdout.strip() == "[]"
 
 
+def test_the_commands_load_none_of_the_slow_libraries():
+    slow = ("scipy", "xarray", "matplotlib", "pint", "lmfit", "av", "rich", "dask", "cma", "emcee")
+    code = f"import sys, plategait.cli; print([m for m in {slow!r} if m in sys.modules])"
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "[]"
+
+
 def test_every_public_name_is_there():
     import plategait
 

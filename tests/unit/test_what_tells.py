@@ -82,12 +82,26 @@ def test_a_file_tells_a_curve(curve_file):
     assert refused(pg.estimate_parameters, str(curve_file), "chese").hint == "cheese"
 
 
-@pytest.mark.slow
-def test_an_estimate_of_files_is_that_of_what_they_hold(curve_file):
+def test_an_estimate_of_files_is_that_of_what_they_hold(curve_file, monkeypatch):
+    # What the posterior is sought of says it all: the same data, unknowns and seed give the same samples.
+    sought = []
+
+    def noted(*given, **named):
+        sought.append((given, named))
+        raise StopIteration
+
+    monkeypatch.setattr("plategait.estimate.result.estimate_posterior", noted)
     known = {"noise": 0.05, "friction_ratio": 0.53, "fixed": "natural_frequency", "model_error": 0}
-    by_name = pg.estimate_parameters(str(curve_file), "cheese", **known)
-    by_value = pg.estimate_parameters([pg.read_curve(curve_file)], CHEESE, **known)
-    assert by_name.posterior.u.tolist() == by_value.posterior.u.tolist()
+    for curves, scenario in ((str(curve_file), "cheese"), ([pg.read_curve(curve_file)], CHEESE)):
+        with pytest.raises(StopIteration):
+            pg.estimate_parameters(curves, scenario, **known)
+    ((by_name, unknowns), named), ((by_value, others), also) = sought
+    assert named == also
+    assert unknowns == others
+    for name in ("conditions", "notes", "readings", "handling"):
+        assert getattr(by_name, name) == getattr(by_value, name)
+    for name in ("which", "rate", "sd", "failed"):
+        np.testing.assert_array_equal(getattr(by_name, name), getattr(by_value, name))
 
 
 @pytest.mark.parametrize(
