@@ -72,9 +72,10 @@ def main() -> None:
         found = [compared(GRID, own, measured(change(o))) for o, own in zip(objects, as_modelled, strict=True)]
         print(row(name, GRID, found), flush=True)
     if arguments.curves:
-        kept = json.loads(arguments.curves.read_text())
+        kept = json.loads(arguments.curves.read_text())["curves"]
         numbers = [n for n in range(1000) if f"rigid tiles {n}" in kept]
-        pairs = [(simulated(n, "as modelled"), kept[f"rigid tiles {n}"]) for n in numbers]
+        own = simulated(numbers, "as modelled")
+        pairs = [(a, kept[f"rigid tiles {n}"]) for n, a in zip(numbers, own, strict=True)]
         grid = np.array(FREQUENCIES)
         arrays = [[(np.array([r for r, _ in p.values()]), np.array([bool(k) for _, k in p.values()])) for p in pair]
                   for pair in pairs]  # fmt: skip

@@ -12,7 +12,15 @@ from plategait.curve.curve import Curve
 from plategait.curve.protocol import measured_as
 from plategait.errors import InputError
 from plategait.estimate import discrepancy as discrepancy_module
-from plategait.estimate.discrepancy import ALTERNATIVES, OWN, OWN_RUN_OFF, Discrepancy, measure_discrepancy
+from plategait.estimate.discrepancy import (
+    ALTERNATIVES,
+    OWN,
+    OWN_RUN_OFF,
+    PRESUMED,
+    Discrepancy,
+    measure_discrepancy,
+    presumed_discrepancy,
+)
 from plategait.estimate.emulator import RateEmulator
 from plategait.estimate.likelihood import Likelihood
 from plategait.estimate.observations import Condition, Observations
@@ -70,6 +78,18 @@ def test_how_far_the_run_off_may_be_off():
     assert measured().run_off(AMPLITUDE) == pytest.approx(own)
     assert measured(failing_from=21.0).run_off(AMPLITUDE) == pytest.approx(math.hypot(2.0, own))
     assert measured(0.5, failing_from=21.0).run_off(AMPLITUDE) == pytest.approx(0.5 * math.hypot(2.0, own))
+
+
+def test_before_any_other_model_is_run_a_scatter_is_presumed():
+    found = presumed_discrepancy(runs(U), 0.5)
+    np.testing.assert_allclose(found.own, 0.5 * PRESUMED)
+    assert found.run_off(AMPLITUDE) == pytest.approx(0.5 * OWN_RUN_OFF * 23.0)
+    # Without a shape there is no amount, and each rate is off by itself: a normal of both spreads.
+    u = np.array([[0.4, 0.6]])
+    rate, wide = rates(u)[0] + 3.0, math.hypot(SD, 0.5 * PRESUMED * rates(u)[0, 0])
+    deviation, amounts = likelihood(rate, found).deviations(u)
+    assert deviation[0, 0] == pytest.approx(3.0 / wide)
+    assert amounts.shape == (1, 0)
 
 
 def likelihood(rate, discrepancy, sd=SD) -> Likelihood:

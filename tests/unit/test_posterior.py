@@ -27,6 +27,8 @@ from plategait.estimate.result import Estimate, correlated
 from plategait.estimate.runs import EngineRuns, run_engine
 from plategait.estimate.unknowns import FRICTION_ANGLE, FRICTION_RATIO, unknowns
 from plategait.model.presets import preset
+from plategait.simulation.observables import Failure, SpinRate
+from plategait.simulation.observation import Glance
 from plategait.simulation.run import simulate
 
 pytestmark = pytest.mark.linear_algebra
@@ -257,11 +259,13 @@ def test_rates_beyond_the_first_failure_of_an_amplitude_do_not_count(monkeypatch
     conditions = [Condition(a, 0.003, f) for a in (0.05, 0.2) for f in (12.0, 16.0, 20.0)]
     fails = {(0.05, 16.0)}  # and stays at 20 Hz again, an island
 
-    def engine(scenarios, **_):
-        motions = [s.motion for s in scenarios]
-        return [SimpleNamespace(spin_rate=1.0, failed=(m.angle, m.frequency) in fails) for m in motions]
+    def seen(scenario, _recording, _names):
+        motion = scenario.motion
+        failure = Failure("slipped", 1.0) if (motion.angle, motion.frequency) in fails else None
+        return Glance(SpinRate(1.0, 0.9, 1.1, True), failure, {})
 
-    monkeypatch.setattr(runs_module, "simulate_all", engine)
+    monkeypatch.setattr(runs_module, "engine", lambda _: SimpleNamespace(run=lambda runs, **_: runs))
+    monkeypatch.setattr(runs_module, "glance", seen)
     runs = run_engine(two_unknowns(), np.full((1, 2), 0.5), conditions)
     np.testing.assert_array_equal(np.isfinite(runs.rates[0]), [True, False, False, True, True, True])
     low, high = runs.brackets(conditions[0].amplitude)

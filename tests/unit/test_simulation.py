@@ -24,7 +24,7 @@ from plategait.model.sheet import Sheet
 from plategait.simulation.dataset import dataset_of, write_dataset
 from plategait.simulation.energy import EnergyLedger
 from plategait.simulation.observables import BLOCKS, Failure, SpinRate, spin_rate
-from plategait.simulation.observation import Observation
+from plategait.simulation.observation import Observation, glance
 from plategait.simulation.registry import all_observables
 from plategait.simulation.result import Simulation
 from plategait.simulation.run import START_SPREAD, START_TURN, simulate, simulate_all, starts
@@ -95,6 +95,15 @@ def test_a_seed_makes_it_all_again(short):
     other = simulate(SHORT, repeats=3, seed=8)
     assert other.seed == 8
     assert (other.recordings[1].positions != short.recordings[1].positions).any()
+
+
+@pytest.mark.parametrize("slip_limit", ["20 mm", "0.5 mm"])
+def test_a_glance_sees_what_a_long_look_sees(slip_limit):
+    run = simulate(SHORT.replace(slip_limit=slip_limit))
+    seen, looked = glance(run.scenario, run.recordings[0], ["rim_lift", "drift"]), run.observations[0]
+    assert (looked.failure is None) == (slip_limit == "20 mm")
+    assert (seen.spin, seen.failure) == (looked.spin, looked.failure)
+    assert seen.values == {name: looked[name] for name in ("rim_lift", "drift")}
 
 
 def test_scenarios_run_together_as_they_run_alone():

@@ -25,6 +25,8 @@ OWN = 0.03
 """Relative scatter of the rates that no alternative gives: what rigid tiles are off by, and the step."""
 OWN_RUN_OFF = 0.02
 """The same of the run-off's frequency."""
+PRESUMED = 0.05
+"""Relative scatter of the rates before any other model is run: what torsion and `OWN` mostly come to together."""
 # Pairs of runs that stayed, short of which a change is taken from the frequency beside.
 LEAST_PAIRS = 6
 # Rates near 0 change by any factor, which says nothing.
@@ -139,6 +141,14 @@ def measure_discrepancy(
     amplitudes = dict.fromkeys(c.amplitude for c in own.conditions)
     run_offs = {a: math.hypot(*(_shift(own, other, a) for other in others), _own_run_off(own, a)) for a in amplitudes}
     return Discrepancy(alternatives, coefficients, own.u.mean(axis=0), scatter, run_offs, share)
+
+
+def presumed_discrepancy(own: EngineRuns, share: float) -> Discrepancy:
+    """What to allow for while it is not yet known where the data are likely: a scatter of no shape."""
+    amplitudes = dict.fromkeys(c.amplitude for c in own.conditions)
+    columns = own.columns().shape[1]
+    return Discrepancy((), np.zeros((0, own.u.shape[1] + 1, columns)), own.u.mean(axis=0), np.full(columns, PRESUMED),
+                       {a: _own_run_off(own, a) for a in amplitudes}, share)  # fmt: skip
 
 
 def _terms(off: Array) -> Array:

@@ -14,7 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
-from plategait.estimate.discrepancy import ALTERNATIVES, WITHIN_THE_LAW, Change, Discrepancy, measure_discrepancy
+from plategait.estimate.discrepancy import (
+    ALTERNATIVES,
+    WITHIN_THE_LAW,
+    Change,
+    Discrepancy,
+    measure_discrepancy,
+    presumed_discrepancy,
+)
 from plategait.estimate.emulator import SHARPEST_RUN_OFF, RunOffEmulator
 from plategait.estimate.likelihood import LEAST_NOISE, Likelihood, learn
 from plategait.estimate.observations import Observations
@@ -48,7 +55,8 @@ class Effort:
     near : float
         Log likelihood below the best within which runs lie near what was measured: four standard deviations.
     model_sets : int
-        Parameter sets that other models run too: of the first round, and again of the next.
+        Parameter sets that other models run too, the likeliest after two rounds; with another law of friction those
+        like the data of the first round before.
     walkers, steps, burn_in, thin : int
         Of the sampler; steps of each walker, of which the first are left out, and of the rest all but every so many.
     """
@@ -61,8 +69,8 @@ class Effort:
     near: float = 8.0
     model_sets: int = 16
     walkers: int = 96
-    steps: int = 400
-    burn_in: int = 200
+    steps: int = 300
+    burn_in: int = 100
     thin: int = 5
 
     def rounds(self, dimensions: int) -> tuple[int, int]:
@@ -168,14 +176,17 @@ def estimate_posterior(
         return _Round(runs, likelihood, explore(likelihood, dimensions + likelihood.noise_is_unknown, generator))
 
     runs = run(stratified(first, dimensions, generator), 0)
-    discrepancy = compared_with_others(runs.of(_like(data, runs, effort.model_sets))) if model_error > 0 else None
+    discrepancy = None
+    if model_error > 0:  # another law of friction may lead elsewhere from the start
+        like = runs.of(_like(data, runs, effort.model_sets)) if any_law else None
+        discrepancy = compared_with_others(like) if like else presumed_discrepancy(runs, model_error)
     latest = learn_from(runs, np.ones(first, dtype=bool))
     u = _promising(latest.particles, dimensions, later, generator)
     before = None
     for later_round in range(effort.most_rounds):
         runs = latest.runs.joined(run(u, len(latest.runs.u)))
         latest = learn_from(runs, _near(latest.likelihood, runs.u, effort.near))
-        if later_round == 0 and model_error > 0:  # compared anew, where the data are likely
+        if later_round == 0 and model_error > 0:  # compared where the data are likely
             likeliest = np.argsort(-_scores(latest.likelihood, runs.u), kind="stable")[: effort.model_sets]
             discrepancy = compared_with_others(runs.of(likeliest))
             latest = learn_from(runs, _near(latest.likelihood, runs.u, effort.near))

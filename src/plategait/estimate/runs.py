@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
+from plategait.engine.engines import engine
+from plategait.engine.recording import RunRequest
 from plategait.estimate.emulator import brackets
 from plategait.estimate.handling import Handling
 from plategait.estimate.observations import Condition
 from plategait.estimate.unknowns import Unknowns
 from plategait.model.scenario import Scenario
-from plategait.simulation.run import simulate_all
+from plategait.simulation.observation import glance
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,13 +100,14 @@ def run_engine(
     if handling is not None:
         drawn = handling.drawn(len(u), len(conditions), np.random.default_rng(seed))
         scenarios = [s.replace(**changes) for s, changes in zip(scenarios, drawn, strict=True)]
-    simulations = simulate_all(scenarios, progress=progress)
+    recordings = engine("cpu").run([RunRequest(s) for s in scenarios], progress=progress)
+    glances = [glance(s, r, observables) for s, r in zip(scenarios, recordings, strict=True)]
     shape = (len(u), len(conditions))
-    rates = np.degrees([s.spin_rate for s in simulations]).reshape(shape)
-    failed = np.array([s.failed for s in simulations]).reshape(shape)
+    rates = np.degrees([g.spin.rate for g in glances]).reshape(shape)
+    failed = np.array([g.failure is not None for g in glances]).reshape(shape)
     out = failed | _beyond(failed, conditions)
     values = {
-        name: np.where(out, math.nan, np.reshape([s.value(name) for s in simulations], shape)) for name in observables
+        name: np.where(out, math.nan, np.reshape([g.values[name] for g in glances], shape)) for name in observables
     }
     return EngineRuns(u, tuple(conditions), np.where(out, math.nan, rates), failed, values)
 

@@ -15,7 +15,7 @@ from plategait.simulation import observables
 from plategait.simulation.energy import EnergyLedger, energy_ledger, least_energy
 from plategait.simulation.ensemble import Ensemble, together
 from plategait.simulation.observables import Failure, SpinRate
-from plategait.simulation.registry import Observable, Window, measure_all
+from plategait.simulation.registry import Observable, Window, find_observable, measure_all
 
 
 @dataclass(frozen=True)
@@ -44,25 +44,70 @@ class Observation:
         return self.values[name]
 
 
+@dataclass(frozen=True)
+class Glance:
+    """The few numbers of a run that somebody asked for. SI.
+
+    Attributes
+    ----------
+    spin : SpinRate
+    failure : Failure or None
+    values : mapping of str to float
+        Observables by name.
+    """
+
+    spin: SpinRate
+    failure: Failure | None
+    values: Mapping[str, float]
+
+
+def glance(scenario: Scenario, recording: Recording, names: Sequence[str] = ()) -> Glance:
+    """Measure a recording as `observe` does, but of the observables only those named: a tenth of the time."""
+    failure = _failure(scenario, recording)
+    values: Mapping[str, float] = {}
+    if names:
+        window = _window(scenario, recording, failure, energy_ledger(recording.channels, _least_energy(scenario)))
+        values = {name: find_observable(name).measure(window) for name in names}
+    return Glance(_spin(scenario, recording, failure), failure, values)
+
+
 def observe(scenario: Scenario, recording: Recording) -> Observation:
     """Measure a recording over whole plate periods, from the end of the transient to the end or to its failure."""
-    period, channels = scenario.motion.period, recording.channels
-    plate = (scenario.plate.length, scenario.plate.width) if scenario.plate else None
-    failure = observables.first_failure(channels, period, scenario.slip_limit, plate, recording.diverged)
-    times, start = channels["time"], scenario.measured_from
-    end = float(times[-1]) if failure is None else failure.sound_until
-    angle = observables.rotation(channels["spin_cross"], channels["spin_dot"])
-    whole_periods = max(0, math.floor((end - start) / period + 1e-6))
-    energy = energy_ledger(channels, _least_energy(scenario))
-    window = Window(scenario, channels, end - whole_periods * period, end, energy)
+    failure = _failure(scenario, recording)
+    energy = energy_ledger(recording.channels, _least_energy(scenario))
+    window = _window(scenario, recording, failure, energy)
     legs = [window.period_means(name) for name in ("left_contact", "right_contact", "flight")]
     return Observation(
-        spin=observables.spin_rate(times, angle, period, start, end),
+        spin=_spin(scenario, recording, failure),
         gait=observables.gait(*legs),
         failure=failure,
         energy=energy,
         values=measure_all(window),
     )
+
+
+def _failure(scenario: Scenario, recording: Recording) -> Failure | None:
+    plate = (scenario.plate.length, scenario.plate.width) if scenario.plate else None
+    return observables.first_failure(
+        recording.channels, scenario.motion.period, scenario.slip_limit, plate, recording.diverged
+    )
+
+
+def _sound_until(recording: Recording, failure: Failure | None) -> float:
+    return float(recording["time"][-1]) if failure is None else failure.sound_until
+
+
+def _spin(scenario: Scenario, recording: Recording, failure: Failure | None) -> SpinRate:
+    angle = observables.rotation(recording["spin_cross"], recording["spin_dot"])
+    end = _sound_until(recording, failure)
+    return observables.spin_rate(recording["time"], angle, scenario.motion.period, scenario.measured_from, end)
+
+
+def _window(scenario: Scenario, recording: Recording, failure: Failure | None, energy: EnergyLedger) -> Window:
+    """Whole plate periods, as many as there are from the end of the transient."""
+    period, end = scenario.motion.period, _sound_until(recording, failure)
+    whole_periods = max(0, math.floor((end - scenario.measured_from) / period + 1e-6))
+    return Window(scenario, recording.channels, end - whole_periods * period, end, energy)
 
 
 def _least_energy(scenario: Scenario) -> float:
