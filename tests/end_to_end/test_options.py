@@ -66,6 +66,9 @@ POSTERIOR = typed(
     model_error="0.5", any_law="", confidence="95%", next="", seed="3", want_frequency="1 rad/s", want_angle="1 deg",
     out="o.toml", plot="p.png", json="", fixed="bending_damping", height="6 mm", thickness="2 mm",
 )  # fmt: skip
+MANY = but(POSTERIOR, "--next", "--want-frequency", "--want-angle", "--plot", "--out") | typed(
+    store="kept", dask="host:1", fragments="objects", out="o.csv"
+)  # fmt: skip
 BENDING = typed(mass="0.3 g", length="11 mm", width="12 mm", no_centripetal="") | WINDOW | FRAGMENT
 PRESS = typed(thickness="3 mm", length="12 mm", offset="", _from="0.004 s", to="0.008 s") | FRAGMENT
 RING = typed(sheet="pancake", mode="2") | WINDOW | FRAGMENT
@@ -127,6 +130,14 @@ MODES = [
     Mode(("estimate", "peak.csv", "--method", "linear", "--out", "o.toml"),
          typed(mass="10 g", _with="measured.toml"), ("--noise", "--plot", "--seed")),
     Mode(("estimate", "told.csv", "--method", "linear"), JSON, ("--angle",)),
+    Mode(("estimate-all", "peak.csv", "few.csv"), MANY, ("--coefficients",)),
+    Mode(("estimate-all", "told.csv"), but(MANY, "--noise", "--angle"), ("--noise", "--angle")),
+    Mode(("estimate-all", "peak.csv", "--method", "linear"),
+         typed(scenario="wide.toml", angle="12 deg", stroke="2 mm", radius="50 mm", coefficients="refitted",
+               store="kept", dask="host:1", fragments="objects", out="o.csv", json=""),
+         ("--beta", "--mass", "--with", "--seed")),
+    Mode(("estimate-all", "peak.csv", "--method", "linear", "--fragments", "objects"),
+         typed(mass="10 g", _with="measured.toml"), ("--noise", "--height")),
     Mode(("identify", "bending", "bending.csv"), BENDING | typed(method="regression", wall="joint"), ()),
     Mode(("identify", "bending", "bending.csv", "--method", "regression"), BENDING, ("--wall",)),
     Mode(("identify", "bending", "down.csv"), typed(y_down=""), ()),
@@ -268,6 +279,8 @@ def answers(files) -> dict[str, object]:
     from matplotlib.figure import Figure
 
     from plategait.campaign.opened import open_sweep
+    from plategait.collection.collection import Outcome
+    from plategait.collection.objects import Item
     from plategait.estimate.observations import Condition
     from plategait.estimate.result import estimate_parameters
     from plategait.model.presets import preset
@@ -293,7 +306,9 @@ def answers(files) -> dict[str, object]:
     plan = SimpleNamespace(condition=Condition(0.1, 0.003, 20.0), runs_off=0.0, needed=None, programme=(),
                            sd_now=dict.fromkeys(estimate.posterior.unknowns.names, 1.0),
                            sd_after=dict.fromkeys(estimate.posterior.unknowns.names, 0.5))  # fmt: skip
+    told = {"summary": estimate.summary() | {"answered": True}, "fragment": "[sheet]\n", "failure": ""}
     return {
+        "plategait.collection.collection.estimate_all": (Outcome(Item("few", (files / "few.csv",)), **told),),
         "plategait.estimate.result.estimate_parameters": estimate,
         "plategait.estimate.planning.next_measurement": plan,
         "plategait.estimate.prediction.predict": None,

@@ -12,6 +12,7 @@ from typer.exceptions import TyperException
 from plategait.cli.command import Command, usage_line
 from plategait.cli.curve import curve, fit
 from plategait.cli.estimate import estimate
+from plategait.cli.estimate_all import estimate_all
 from plategait.cli.export import export
 from plategait.cli.identify.commands import identify
 from plategait.cli.modes import modes
@@ -61,6 +62,7 @@ app.command(cls=Command)(optimize)
 app.command(cls=Command)(moves)
 app.command(name="scenario", cls=Command)(scenario_command)
 app.command(cls=Command)(estimate)
+app.command("estimate-all", cls=Command)(estimate_all)
 app.add_typer(identify, name="identify")
 app.command(cls=Command)(track)
 app.command(cls=Command)(track_folder)

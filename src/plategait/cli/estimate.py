@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -14,7 +13,6 @@ from plategait.cli.command import refuse, take_only
 from plategait.cli.estimate_options import MeasurementOptions, OutputOptions, PlanOptions, SetupOptions
 from plategait.cli.groups import grouped
 from plategait.curve.protocol import measured_as
-from plategait.errors import InputError
 from plategait.files.output import PICTURES, check_outputs
 from plategait.model.scenario import Scenario
 
@@ -59,7 +57,7 @@ def estimate(
     _refuse_idle(context, method, planning, output)
     base = setup.build()
     curves = [read_curve(path) for path in curve_files]
-    _refuse_redundant(context, curves)
+    refuse_redundant(context, curves)
     base, curves = sized_by_film(base, curves, told=setup.radius is not None)
     motions = setup.motions(base, len(curves))
     if method == "posterior":
@@ -86,7 +84,7 @@ def _refuse_idle(context: typer.Context, method: Method, planning: PlanOptions, 
     take_only(context, used, f"with --method {method}", "--method posterior")
 
 
-def _refuse_redundant(context: typer.Context, curves: list[Curve]) -> None:
+def refuse_redundant(context: typer.Context, curves: list[Curve]) -> None:
     """Refuse what the curves tell themselves, point by point."""
     if all(c.angle_deg is not None and np.isfinite(c.angle_deg).all() for c in curves):
         refuse(context, ["angle"], "with curves that have a column angle_deg", "the file without that column")
@@ -111,18 +109,12 @@ def _linear(
     output: OutputOptions,
 ) -> None:
     """The source's method on one curve."""
-    from plategait.curve.spin_curve import fit_curve
-    from plategait.estimate.linear import estimate_linear
+    from plategait.estimate.linear import at_amplitude_of, estimate_linear, fitted_alone, lorentz_of
     from plategait.model.fragment import write_fragment
 
-    if len(curves) != 1:
-        raise InputError("CURVE.csv", f"{len(curves)} curves", f"one curve for --method {method}", "--method posterior")
-    base = _at_amplitude_of(curves[0], base, method)
-    fit = fit_curve(curves[0])
-    if fit.fit is None:
-        raise InputError("CURVE.csv", f"a curve without a Lorentz fit ({fit.no_fit})",
-                         f"one with a peak for --method {method}", "--method posterior")  # fmt: skip
-    result = estimate_linear(fit.fit, base, method=method, coefficients=coefficients)
+    fit = fitted_alone(curves, method)
+    base = at_amplitude_of(fit, base, method)
+    result = estimate_linear(lorentz_of(fit, method), base, method=method, coefficients=coefficients)
     if output.out and not result.refused:
         write_fragment(result.to_fragment(base), output.out)
     if output.as_json:
@@ -131,24 +123,6 @@ def _linear(
         report.print_notes(fit.notes)
         estimate_report.print_linear(result)
     raise typer.Exit(1 if result.refused else 0)
-
-
-def _at_amplitude_of(curve: Curve, base: Scenario, method: str) -> Scenario:
-    """Scenario at the amplitudes in the curve's own columns, if it has any."""
-    changes = {}
-    for name, column, unit, scale in (
-        ("angle", curve.angle_deg, "deg", math.radians(1)),
-        ("stroke", curve.stroke, "m", 1.0),
-        ("phase", curve.phase, "rad", 1.0),
-    ):
-        told = [] if column is None else np.unique(column[np.isfinite(column)]).tolist()
-        if len(told) > 1 or (name == "phase" and any(told)):
-            raise InputError("CURVE.csv", f"points at {' and '.join(f'{a:g}' for a in told[:4])} {unit}",
-                             f"of one {'amplitude' if name == 'angle' else name} for --method {method}",
-                             "--method posterior")  # fmt: skip
-        if told and name != "phase":
-            changes[f"motion.{name}"] = scale * told[0]
-    return base.replace(**changes)
 
 
 def _posterior(

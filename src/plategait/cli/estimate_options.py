@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from plategait.estimate.candidates import Reach
     from plategait.estimate.observations import Condition
     from plategait.estimate.planning import Plan
-    from plategait.estimate.result import Estimate
+    from plategait.estimate.result import Estimate, EstimateOptions
     from plategait.model.motion import PlateMotion
 
 _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
@@ -106,6 +106,11 @@ class SetupOptions:
             changes["sheet.mass"] = _MASS.read(self.mass, "--mass")
         return base.replace(**changes) if changes else base
 
+    @property
+    def amplitudes(self) -> list[float]:
+        """A_p as typed, rad."""
+        return [PLATE_ANGLE.read(a, "--angle") for a in self.angle or []]
+
     def motions(self, base: Scenario, count: int) -> list[PlateMotion]:
         """Plate motion of each of so many curves."""
         angles = self.angle or []
@@ -113,7 +118,7 @@ class SetupOptions:
             raise InputError(
                 "--angle", f"{len(angles)} of them", f"given once, or once for each of {count} curves", '"3 deg"'
             )
-        amplitudes = [PLATE_ANGLE.read(a, "--angle") for a in angles] or [base.motion.angle]
+        amplitudes = self.amplitudes or [base.motion.angle]
         amplitudes = amplitudes * count if len(amplitudes) == 1 else amplitudes
         return [base.motion.replace(angle=a) for a in amplitudes]
 
@@ -164,6 +169,22 @@ class MeasurementOptions:
             _TIME.read(self.duration, "--duration"), slip_limit=_LENGTH.read(self.slip_limit, "--slip-limit")
         )
 
+    def options(self, setup: SetupOptions, seed: int) -> EstimateOptions:
+        """What was typed, as `plategait.estimate.result.estimate_parameters` takes it."""
+        return {
+            "noise": None if self.noise is None else options.read_share(self.noise, "--noise"),
+            "friction_ratio": None if self.beta is None else options.SHARE.read(self.beta, "--beta"),
+            "free": tuple(self.free or ()),
+            "fixed": (*(self.fixed or ()), *setup.exact),
+            "measured": setup.known,
+            "thickness_sd": setup.thickness_sd,
+            "confidence": options.read_share(self.confidence, "--confidence"),
+            "ramp": None if self.ramp is None else _RAMP.read(self.ramp, "--ramp"),
+            "model_error": _MODEL_ERROR.read(self.model_error, "--model-error"),
+            "any_law": self.any_law,
+            "seed": seed,
+        }
+
     def run(
         self, curves: list[Curve], base: Scenario, motions: list[PlateMotion], setup: SetupOptions, seed: int
     ) -> Estimate:
@@ -171,23 +192,7 @@ class MeasurementOptions:
         from plategait.estimate.result import estimate_parameters
 
         with report.progress_bar("estimating") as progress:
-            return estimate_parameters(
-                curves,
-                base,
-                motions=motions,
-                noise=None if self.noise is None else options.read_share(self.noise, "--noise"),
-                friction_ratio=None if self.beta is None else options.SHARE.read(self.beta, "--beta"),
-                free=tuple(self.free or ()),
-                fixed=(*(self.fixed or ()), *setup.exact),
-                measured=setup.known,
-                thickness_sd=setup.thickness_sd,
-                confidence=options.read_share(self.confidence, "--confidence"),
-                ramp=None if self.ramp is None else _RAMP.read(self.ramp, "--ramp"),
-                model_error=_MODEL_ERROR.read(self.model_error, "--model-error"),
-                any_law=self.any_law,
-                seed=seed,
-                progress=progress,
-            )
+            return estimate_parameters(curves, base, motions=motions, progress=progress, **self.options(setup, seed))
 
 
 @dataclass(frozen=True)

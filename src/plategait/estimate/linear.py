@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -13,7 +13,9 @@ from typing import Any, Literal
 import numpy as np
 
 from plategait import published
+from plategait.curve.curve import Curve
 from plategait.curve.lorentz import LorentzFit
+from plategait.curve.spin_curve import fit_curve
 from plategait.errors import InputError
 from plategait.estimate.unknowns import FRICTION_ANGLE, NATURAL_FREQUENCY
 from plategait.files.plain import plain
@@ -208,3 +210,54 @@ def _described(outline: Outline) -> str:
 def _sd(interval: tuple[float, float]) -> float:
     """Standard deviation behind a 95 % interval."""
     return (interval[1] - interval[0]) / (2 * 1.96)
+
+
+def fitted_alone(curves: Sequence[Curve], method: Method) -> Curve:
+    """The one curve that the method takes, with its Lorentz fit.
+
+    Raises
+    ------
+    InputError
+        For several.
+    """
+    if len(curves) != 1:
+        raise InputError("CURVE.csv", f"{len(curves)} curves", f"one curve for --method {method}", "--method posterior")
+    return fit_curve(curves[0])
+
+
+def lorentz_of(curve: Curve, method: Method) -> LorentzFit:
+    """Lorentz fit of a curve.
+
+    Raises
+    ------
+    InputError
+        For a curve without one.
+    """
+    if curve.fit is None:
+        raise InputError("CURVE.csv", f"a curve without a Lorentz fit ({curve.no_fit})",
+                         f"one with a peak for --method {method}", "--method posterior")  # fmt: skip
+    return curve.fit
+
+
+def at_amplitude_of(curve: Curve, base: Scenario, method: Method) -> Scenario:
+    """Scenario at the amplitudes in the curve's own columns, if it has any.
+
+    Raises
+    ------
+    InputError
+        For a curve of several amplitudes, or with the shaking out of phase.
+    """
+    changes = {}
+    for name, column, unit, scale in (
+        ("angle", curve.angle_deg, "deg", math.radians(1)),
+        ("stroke", curve.stroke, "m", 1.0),
+        ("phase", curve.phase, "rad", 1.0),
+    ):
+        told = [] if column is None else np.unique(column[np.isfinite(column)]).tolist()
+        if len(told) > 1 or (name == "phase" and any(told)):
+            raise InputError("CURVE.csv", f"points at {' and '.join(f'{a:g}' for a in told[:4])} {unit}",
+                             f"of one {'amplitude' if name == 'angle' else name} for --method {method}",
+                             "--method posterior")  # fmt: skip
+        if told and name != "phase":
+            changes[f"motion.{name}"] = scale * told[0]
+    return base.replace(**changes)

@@ -130,6 +130,7 @@ def estimate_posterior(
     model_error: float = 0.0,
     any_law: bool = False,
     seed: int = 0,
+    threads: int | None = None,
     progress: Progress | None = None,
     effort: Effort | None = None,
 ) -> Posterior:
@@ -147,6 +148,8 @@ def estimate_posterior(
         Whether the law of friction may be another one too.
     seed : int
         Of the sampling.
+    threads : int, optional
+        Cores for the engine; all by default.
     progress : callable, optional
         Called with the fraction done.
     effort : Effort, optional
@@ -165,7 +168,7 @@ def estimate_posterior(
         report = None if progress is None else _part(progress, before, len(u), first + 2 * later)
         names, handling = [r.name for r in data.readings], data.handling
         return run_engine(unknowns, u, data.conditions, handling=handling, observables=names, changed=changed,
-                          seed=seed + before, progress=report)  # fmt: skip
+                          seed=seed + before, threads=threads, progress=report)  # fmt: skip
 
     def compared_with_others(own: EngineRuns) -> Discrepancy:
         alternatives = ALTERNATIVES if any_law else WITHIN_THE_LAW

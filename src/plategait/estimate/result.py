@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 
@@ -207,6 +207,22 @@ class Estimate:
         return columns
 
 
+class EstimateOptions(TypedDict, total=False):
+    """What `estimate_parameters` takes beside curves, scenario and motions."""
+
+    noise: float | None
+    friction_ratio: float | None
+    free: tuple[str, ...]
+    fixed: tuple[str, ...]
+    measured: dict[str, tuple[float, float]]
+    thickness_sd: float
+    confidence: float
+    ramp: float | None
+    model_error: float
+    any_law: bool
+    seed: int
+
+
 def estimate_parameters(
     curves: Curve | Path | str | Sequence[Curve | Path | str],
     scenario: Scenario | Preset | Path | str,
@@ -223,6 +239,7 @@ def estimate_parameters(
     model_error: float = 1.0,
     any_law: bool = False,
     seed: int = 0,
+    threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Estimate:
     """Read an object's natural frequency and friction off its spin curve, with intervals.
@@ -261,6 +278,8 @@ def estimate_parameters(
         Whether the law of friction may be another than the scenario's, too: the intervals grow several times.
     seed : int
         Of the sampling: the same data and seed give the same estimate.
+    threads : int, optional
+        Cores for the engine; all by default. The same estimate with any.
     progress : callable, optional
 
     Raises
@@ -272,7 +291,7 @@ def estimate_parameters(
     scenario = as_scenario(scenario)
     free, fixed = ([name] if isinstance(name, str) else name for name in (free, fixed))
     confidence, noise = _read_confidence(confidence), _read_noise(noise)
-    ramp, model_error = _read_ramp(ramp), _read_model_error(model_error)
+    ramp, model_error = _read_ramp(ramp), _read_model_error(model_error, any_law)
     if motions is not None and len(motions) != len(curves):
         raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
                          "[scenario.motion]")  # fmt: skip
@@ -280,11 +299,8 @@ def estimate_parameters(
     data = observe_curves(curves, motions, Handling(ramp=ramp))
     scenario = _observed_as(scenario, curves)
     parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed, measured=measured)
-    if any_law and not model_error:
-        raise InputError("any_law", "another law of friction, with a model that is taken as right",
-                         "a model error above 0", "--model-error 1")  # fmt: skip
     posterior = estimate_posterior(data, parameters, noise=noise, model_error=model_error, any_law=any_law,
-                                   seed=seed, progress=progress)  # fmt: skip
+                                   seed=seed, threads=threads, progress=progress)  # fmt: skip
     marginals = tuple(marginal_of(p, posterior.u[:, i], confidence) for i, p in enumerate(parameters.parameters))
     return Estimate(posterior, marginals, goodness_of_fit(posterior), confidence, thickness_sd)
 
@@ -315,8 +331,12 @@ def _observed_as(scenario: Scenario, curves: Sequence[Curve]) -> Scenario:
     return measured_as(scenario, Protocol(duration, USUAL.transient, limit))
 
 
-def _read_model_error(value: float) -> float:
-    return _MODEL_ERROR.read(value, "model_error")
+def _read_model_error(value: float, any_law: bool) -> float:
+    model_error = _MODEL_ERROR.read(value, "model_error")
+    if any_law and not model_error:
+        raise InputError("any_law", "another law of friction, with a model that is taken as right",
+                         "a model error above 0", "--model-error 1")  # fmt: skip
+    return model_error
 
 
 def _at_height_of(

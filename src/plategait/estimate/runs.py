@@ -72,6 +72,7 @@ def run_engine(
     observables: Sequence[str] = (),
     changed: Callable[[Scenario], Scenario] | None = None,
     seed: int = 0,
+    threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> EngineRuns:
     """Run the engine at every parameter set (n, d) under every condition.
@@ -90,6 +91,8 @@ def run_engine(
         What else is changed of each set's scenario: another model of the same object.
     seed : int
         Of the differences in handling.
+    threads : int, optional
+        Cores for the engine; all by default.
     progress : callable, optional
         Called with the fraction done.
     """
@@ -100,7 +103,7 @@ def run_engine(
     if handling is not None:
         drawn = handling.drawn(len(u), len(conditions), np.random.default_rng(seed))
         scenarios = [s.replace(**changes) for s, changes in zip(scenarios, drawn, strict=True)]
-    recordings = engine("cpu").run([RunRequest(s) for s in scenarios], progress=progress)
+    recordings = engine("cpu").run([RunRequest(s) for s in scenarios], threads=threads, progress=progress)
     glances = [glance(s, r, observables) for s, r in zip(scenarios, recordings, strict=True)]
     shape = (len(u), len(conditions))
     rates = np.degrees([g.spin.rate for g in glances]).reshape(shape)
