@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import plategait as pg
-from plategait.model.course import kinematics
+from plategait.model.course import course_of, gone_over, kinematics, most_on
 from plategait.model.machine import Sliding, Turning
+from plategait.model.needs import join_duration, surely_within
 
 CHEESE = pg.preset("cheese").scenario
 MOTION = CHEESE.motion.replace(frequency=18.0)
@@ -118,3 +119,40 @@ def test_a_machine_s_limits_are_kept_at_the_start_and_at_every_change():
         pg.Session([CHEESE.replace(**{"motion.frequency": 50.0})], machine="source-robot")
     with pytest.raises(pg.InputError, match=r"^machine: "):
         pg.Session([CHEESE], machine="no-such-machine")
+
+
+def test_what_a_plate_never_exceeds_is_never_exceeded():
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        motions = [
+            MOTION.replace(frequency=f, angle=a, stroke=1e-3, offset={"rx": o}, waves=({"axis": "x", "amplitude": w},))
+            for f, a, o, w in rng.uniform([5, -0.2, -0.2, 0], [40, 0.2, 0.2, 2e-3], (3, 4))
+        ]
+        course = gone_over(gone_over(course_of(motions[0]), motions[1], 1.0, 0.015), motions[2], 1.01, 0.02)
+        moves, most = kinematics(course, np.linspace(1.01, 1.3, 20_000)), most_on(course, 1.01)
+        assert most is not None
+        for bound, reached in zip(most, (moves.position, moves.speed, moves.acceleration, moves.jerk), strict=True):
+            assert (np.abs(reached) <= bound[:, None] * (1 + 1e-9)).all()
+    # Of one sine on each axis, once it is gone over to, they are what it reaches: at 240 times a period within 1e-4.
+    settled, most = needs_of(MOTION, 2.0)
+    np.testing.assert_allclose(most, settled, rtol=1e-4)
+
+
+def needs_of(motion: pg.PlateMotion, since: float) -> tuple[np.ndarray, np.ndarray]:
+    """What a motion reaches, sampled, and what its bounds say, (4, 6) each."""
+    most = most_on(course_of(motion), since)
+    assert most is not None
+    return pg.needs(motion, pg.MACHINES["source-robot"], start=False).peaks[:4], most
+
+
+def test_what_bounds_tell_is_what_sampling_tells():
+    # A machine that bounds alone cannot be sure of, and one of which they are: the same time to go over.
+    still, other = MOTION.replace(angle=0, stroke=0, ramp=0.02), MOTION.replace(ramp=0.02)
+    loose = pg.Machine(x=Sliding(acceleration=1e3), rx=Turning(acceleration=1e6))
+    needed = kinematics(gone_over(course_of(still), other, 0.0, 0.02), np.linspace(0, 0.2, 20_000))
+    most = np.abs(needed.acceleration).max(axis=1)
+    close = pg.Machine(x=Sliding(acceleration=1.01 * most[0]), rx=Turning(acceleration=1.01 * most[3]))
+    assert surely_within(most_on(gone_over(course_of(still), other, 0.0, 0.02), 0.0), None, loose)
+    assert not surely_within(most_on(gone_over(course_of(still), other, 0.0, 0.02), 0.0), None, close)
+    for machine in (loose, close, pg.MACHINES["source-robot"], None):
+        assert join_duration(course_of(still), other, 0.0, machine, "motion") == 0.02

@@ -113,7 +113,7 @@ class Batch:
         clock, dt = self.state.clock[j], float(self.dt[j])
         self.courses[j] = gone_over(self.courses[j], motion, float(clock[TAKEN]) * dt, duration)
         self._packed = None
-        stride = replace_motion(self.runs[j], motion).stride
+        stride = self.runs[j].stride_with(motion)
         if stride != self.stride[j]:
             self._since_time[j] = clock[DUE] * dt
             self._since_sample[j] = clock[SAMPLED]
@@ -139,6 +139,22 @@ class Batch:
             edge = np.zeros_like(x)
             edge[..., 2] = -2.0
         self.state = State(x, v, edge, tally, clock, last, diverged)
+
+    def become(self, j: int, run: RunRequest) -> None:
+        """Let a run be another from now on, where it is: its numbers change, sheet and plate stay where they are."""
+        self.runs[j] = run
+        row = parameters_of(run.scenario)
+        self._parameters = self._parameters.copy()
+        self._parameters[:, j] = [row[name] for name in _native.PARAMETERS]
+        self._features, self._packed = features_of(self.runs, self._parameters), None
+
+    def push(self, j: int, velocity: Array) -> None:
+        """Give a run's sheet a velocity more, as to a rigid body: (3,) along x and y, m/s, and about z, rad/s."""
+        arm = self.state.x[j] - self.state.x[j].mean(axis=0)
+        v = self.state.v.copy()
+        v[j, :, 0] += velocity[0] - velocity[2] * arm[:, 1]
+        v[j, :, 1] += velocity[1] + velocity[2] * arm[:, 0]
+        self.state = replace(self.state, v=v)
 
     def samples_within(self, steps: Counts) -> Counts:
         """(n,) samples that fall due while so many steps are taken."""
@@ -205,12 +221,6 @@ class Batch:
             ]
             self._packed = pack_courses(told)
         return self._packed
-
-
-def replace_motion(run: RunRequest, motion: PlateMotion) -> RunRequest:
-    """A run with another motion, whose time step stays."""
-    dt = run.scenario.dt
-    return replace(run, scenario=run.scenario.with_valid(motion=motion, time_step=dt))
 
 
 def _multiples(count: Counts, of: Counts) -> Counts:

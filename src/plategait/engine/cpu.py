@@ -116,6 +116,16 @@ class Session:
         batch, j = self._place[run]
         self._batches[batch].reset(j, request)
 
+    def become(self, run: int, request: RunRequest) -> None:
+        """Let a run be another of the same lattice, plate and time step from now on, where it is."""
+        batch, j = self._place[run]
+        self._batches[batch].become(j, request)
+
+    def push(self, run: int, velocity: Array) -> None:
+        """Give a run's sheet a velocity more, as to a rigid body: (3,) along x and y, m/s, and about z, rad/s."""
+        batch, j = self._place[run]
+        self._batches[batch].push(j, velocity)
+
     def course(self, run: int) -> Course:
         """Course of a run's plate."""
         batch, j = self._place[run]

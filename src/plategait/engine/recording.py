@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.model.lattice import Lattice
-from plategait.model.motion import rotation_of
+from plategait.model.motion import PlateMotion, rotation_of
 from plategait.model.scenario import Scenario
 
 # A plate period holds this many samples, and none is further from the next than the longest interval.
@@ -54,7 +54,11 @@ class RunRequest:
     @property
     def stride(self) -> int:
         """Steps between samples: at the least the end is sampled."""
-        interval = min(LONGEST_SAMPLE_INTERVAL, self.scenario.motion.period / SAMPLES_PER_PERIOD)
+        return self.stride_with(self.scenario.motion)
+
+    def stride_with(self, motion: PlateMotion) -> int:
+        """Steps between samples while the plate moves otherwise, at the same time step."""
+        interval = min(LONGEST_SAMPLE_INTERVAL, motion.period / SAMPLES_PER_PERIOD)
         return max(1, min(round(interval / self.scenario.dt), self.steps))
 
     @property

@@ -47,6 +47,14 @@ class Session(Protocol):
         """Let a run start anew, as another of the same lattice."""
         ...
 
+    def become(self, run: int, request: RunRequest) -> None:
+        """Let a run be another of the same lattice, plate and time step from now on, where it is."""
+        ...
+
+    def push(self, run: int, velocity: Array) -> None:
+        """Give a run's sheet a velocity more, as to a rigid body: (3,) along x and y, m/s, and about z, rad/s."""
+        ...
+
     def course(self, run: int) -> Course:
         """Course of a run's plate."""
         ...

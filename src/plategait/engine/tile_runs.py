@@ -84,6 +84,14 @@ class Session:
         _check(request)
         self._groups[self._indices.index([run])] = Group.begun([request])
 
+    def become(self, run: int, request: RunRequest) -> None:
+        """Refuse other numbers midway."""
+        raise InputError("scenario", "another midway", 'the same throughout for the engine "tiles"', 'the engine "cpu"')
+
+    def push(self, run: int, velocity: Array) -> None:
+        """Refuse a push."""
+        raise InputError("velocity", "a push", 'left out for the engine "tiles"', 'the engine "cpu"')
+
     def course(self, run: int) -> Course:
         """Course of a run's plate."""
         group = next(g for g, indices in zip(self._groups, self._indices, strict=True) if run in indices)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import ErrorDetails
 
+from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.units import Quantity
 
@@ -21,6 +23,14 @@ if TYPE_CHECKING:
         model_fields: ClassVar[dict[str, FieldInfo]]
 else:
     _Fields = BaseModel
+
+
+@dataclass(frozen=True, eq=False)
+class Kept:
+    """An array that a model works out once: models compare what they keep, which arrays do not bear."""
+
+    array: Array | None
+
 
 _TAGS: set[str] = set()
 """Shapes by which parts of a union are told apart: one of each model with a field `shape`."""

@@ -17,6 +17,8 @@ from plategait.model.motion import AXES, SHORTEST_RAMP, PlateMotion
 
 # Beyond its end by this share, a layer has been gone over to in single precision too.
 _MARGIN = 1e-5
+# Largest first, second and third derivative of the quintic, over a duration of 1.
+_STEEPEST = np.array([15 / 8, 10 / math.sqrt(3), 60.0])
 
 
 @dataclass(frozen=True)
@@ -98,6 +100,30 @@ def kinematics(course: Course, time: Array) -> Kinematics:
         moves[2] += w2 * p + 2 * w1 * v + w * a
         moves[3] += w3 * p + 3 * w2 * v + 3 * w1 * a + w * j
     return Kinematics(*moves)
+
+
+def most_on(course: Course, time: float) -> Array | None:
+    """(4, 6) position, speed, acceleration and jerk that a plate never exceeds from a time on.
+
+    Not the least such numbers: those of each motion, and of the way from one to the next, are added up. None where a
+    layer follows a sampled trajectory.
+    """
+    most = np.zeros((4, len(AXES)))
+    most[0] = np.abs(course[0].motion.offset.pose)
+    for layer in course:
+        own = layer.motion.most
+        if own is None:
+            return None
+        if layer.duration <= SHORTEST_RAMP or layer.is_over(time):
+            most = own
+            continue
+        p, v, a, _ = own + most
+        w1, w2, w3 = _STEEPEST / layer.duration ** np.arange(1, 4)
+        most = np.maximum(own, most)
+        most[1] += w1 * p
+        most[2] += w2 * p + 2 * w1 * v
+        most[3] += w3 * p + 3 * w2 * v + 3 * w1 * a
+    return most
 
 
 def _level(time: Array, duration: float) -> tuple[Array, Array, Array, Array]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated
 
@@ -12,7 +13,7 @@ from pydantic import Field, model_validator
 from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.toml import read_toml
-from plategait.model.base import Model
+from plategait.model.base import Kept, Model
 from plategait.model.motion import AXES
 from plategait.theory.rigid import inertial_loads
 from plategait.units import Quantity
@@ -104,8 +105,22 @@ class Machine(Model):
 
         Zero for a degree of freedom that cannot be moved.
         """
+        limits = self._limits.array
+        assert limits is not None
+        return limits
+
+    @cached_property
+    def _limits(self) -> Kept:
         rows = [(axis.limits if (axis := getattr(self, name)) else (0.0,) * 5) for name in AXES]
-        return np.array([[np.inf if limit is None else limit for limit in row] for row in rows]).T
+        limits = np.array([[np.inf if limit is None else limit for limit in row] for row in rows]).T
+        limits.flags.writeable = False
+        return Kept(limits)
+
+    @cached_property
+    def limits_rates(self) -> bool:
+        """Whether it limits more than frequency and position: a speed, acceleration, jerk, load or the power."""
+        moved = np.array([getattr(self, name) is not None for name in AXES])
+        return self.power is not None or bool(np.isfinite(self.limits[1:, moved]).any())
 
     @property
     def inertial_loads(self) -> Array:

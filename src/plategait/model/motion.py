@@ -15,7 +15,7 @@ from pydantic import Field, field_validator, model_validator
 from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.files.rows import read_rows
-from plategait.model.base import Model
+from plategait.model.base import Kept, Model
 from plategait.units import ANGLE, PLATE_ANGLE, PLATE_STROKE, STROKE, Angle, Delay, Frequency, Offset, Quantity, Ratio
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
@@ -257,6 +257,26 @@ class PlateMotion(Model):
         """Period of the fastest sine, s; infinite where there is none."""
         fastest = max((frequency for _, _, frequency, _ in self.terms()), default=0.0)
         return 1 / fastest if fastest > 0 else math.inf
+
+    @property
+    def most(self) -> Array | None:
+        """(4, 6) position, speed, acceleration and jerk that its offset and sines never exceed, in the order of `AXES`.
+
+        The sums of what each sine reaches: exact where there is one on an axis. None with a sampled trajectory.
+        """
+        return self._most.array
+
+    @cached_property
+    def _most(self) -> Kept:
+        if self.samples is not None:
+            return Kept(None)
+        most = [[abs(offset) for offset in self.offset.pose], [0.0] * 6, [0.0] * 6, [0.0] * 6]
+        for d, amplitude, frequency, _ in self.terms():
+            omega, reached = 2 * math.pi * frequency, abs(amplitude)
+            for row in most:
+                row[d] += reached
+                reached *= omega
+        return Kept(np.array(most))
 
     @cached_property
     def period(self) -> float:

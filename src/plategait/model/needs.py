@@ -10,7 +10,7 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.model.course import Course, Kinematics, course_of, gone_over, kinematics
+from plategait.model.course import Course, Kinematics, course_of, gone_over, kinematics, most_on
 from plategait.model.machine import Machine
 from plategait.model.motion import AXES, SHORTEST_RAMP, PlateMotion
 
@@ -117,6 +117,28 @@ def _said(value: float, kind: int, axis: str) -> str:
     return f"{math.degrees(value):.4g} deg{per[kind]}" if turns else f"{1e3 * value:.4g} mm{per[kind]}"
 
 
+def surely_within(most: Array | None, motion: PlateMotion | None, machine: Machine) -> bool:
+    """Whether bounds tell that a machine's limits are kept, without looking at the motion at many times.
+
+    Parameters
+    ----------
+    most : (4, 6) array, optional
+        Position, speed, acceleration and jerk that are never exceeded, SI; nothing is sure without.
+    motion : PlateMotion, optional
+        Whose sines count against the machine's frequency.
+    machine : Machine
+    """
+    if most is None or not (most <= machine.limits[:4]).all():
+        return False
+    if motion is not None and machine.frequency is not None and 1 / motion.shortest_period > machine.frequency:
+        return False
+    if not machine.limits_rates:
+        return True
+    # What is not told has no limit.
+    loads = np.nan_to_num(machine.inertial_loads) * most[2]
+    return bool((loads <= machine.limits[4]).all()) and loads @ most[1] <= (machine.power or math.inf)
+
+
 @lru_cache(maxsize=4096)
 def check_motion(motion: PlateMotion, machine: Machine, field: str = "motion", start: bool = True) -> None:
     """Refuse a motion that a machine cannot make.
@@ -134,6 +156,8 @@ def check_motion(motion: PlateMotion, machine: Machine, field: str = "motion", s
 def join_duration(course: Course, motion: PlateMotion, time: float, machine: Machine | None, field: str) -> float:
     """Time that a plate takes to go over to another motion, s: its ramp, or longer where the machine asks for it.
 
+    What the plate did before is taken to be within the machine's limits.
+
     Raises
     ------
     InputError
@@ -143,10 +167,16 @@ def join_duration(course: Course, motion: PlateMotion, time: float, machine: Mac
         raise InputError(f"{field}.ramp", f"{motion.ramp:g} s", "above 0 s where a motion changes", '"0.1 s"')
     if machine is None:
         return motion.ramp
-    check_motion(motion, machine, field, start=False)
+    if not surely_within(motion.most, motion, machine):
+        check_motion(motion, machine, field, start=False)
+    if not machine.limits_rates and all(each.samples is None for each in (motion, *(at.motion for at in course))):
+        # Between one sine and another the plate is nowhere that neither of them is within reach of.
+        return motion.ramp
     duration = motion.ramp
     while duration <= _LONGEST_JOIN * motion.ramp:
         joined = gone_over(course, motion, time, duration)
+        if surely_within(most_on(joined, time), None, machine):
+            return duration
         times = _between(time, time + duration, *(layer.motion for layer in joined))
         moves = kinematics(joined, times)
         reached = Needs(_peaks(moves, machine), 0.0, float(_power(moves, machine).max()), math.nan)
@@ -165,5 +195,5 @@ def start_duration(motion: PlateMotion, machine: Machine, field: str) -> float:
     InputError
         When the motion, or any start of it, is beyond the machine's limits.
     """
-    still = motion.replace(angle=0.0, stroke=0.0, waves=(), samples=None)
+    still = motion.with_valid(angle=0.0, stroke=0.0, waves=(), samples=None)
     return join_duration(course_of(still), motion, 0.0, machine, field)

@@ -209,7 +209,7 @@ class Session:
         InputError
             For a run that there is not, or a scenario of another lattice.
         """
-        which = self._which(runs)
+        which = self.which(runs)
         given = [scenarios] * len(which) if isinstance(scenarios, Scenario) else scenarios
         becoming = [self.scenarios[i] for i in which] if given is None else scenarios_of(given)
         if len(becoming) != len(which):
@@ -227,7 +227,64 @@ class Session:
             self.scenarios[i], self._dt[i], self._wanted[i] = scenario, request.scenario.dt, 0.0
             self._since_reset[i] = self._since_change[i] = self._forgotten + len(self._pieces)
 
-    def _which(self, runs: int | Iterable[int] | Flags | None) -> list[int]:
+    def become(self, run: int, scenario: Scenario) -> None:
+        """Let a run be another from now on, where it is: a spot where the plate is wet, a sheet that warms up.
+
+        Sheet, contact, friction and gravity take effect at once; lattice, time step and motion stay. A later `reset`
+        starts what the run became.
+
+        Parameters
+        ----------
+        run : int
+        scenario : Scenario
+            As ``session.scenarios[run].replace(**{"friction.static": 0.3})``.
+
+        Raises
+        ------
+        InputError
+            For a run that there is not, another lattice, plate, start or motion, or a sheet too stiff for the time
+            step.
+        """
+        i = self._one(run)
+        own, dt = self.scenarios[i], float(self._dt[i])
+        for field in ("plate", "start", "motion"):
+            if getattr(scenario, field) != getattr(own, field):
+                raise InputError(
+                    f"scenario.{field}", "another", f"that of run {i}", "session.scenarios[run].replace(…)"
+                )
+        if (scenario.sheet.lattice.key, scenario.sheet.pitch) != (own.sheet.lattice.key, own.sheet.pitch):
+            raise InputError("scenario.sheet", "a sheet of another lattice", "one with the same nodes", "a reset")
+        if scenario.sheet.stable_time_step < dt or scenario.time_step not in (own.time_step, dt):
+            raise InputError("scenario.time_step", f"a sheet that needs {scenario.dt:.3g} s", f"the run's {dt:.3g} s",
+                             "a session of scenarios with a shorter time_step")  # fmt: skip
+        became = scenario.with_valid(time_step=dt)
+        engine = self._engine.copy()
+        engine.become(i, RunRequest(became, snapshot_interval=self._interval))
+        self._engine, self.scenarios[i] = engine, became
+
+    def push(self, run: int, velocity: Sequence[float] | Array) -> None:
+        """Kick a run's sheet: give it a velocity more, as to a rigid body.
+
+        Parameters
+        ----------
+        run : int
+        velocity : (3,) numbers
+            Along x and y, m/s, and turning counter-clockwise about the middle of its mass, rad/s; in the world, level.
+
+        Raises
+        ------
+        InputError
+            For a run that there is not, or what are not three finite numbers.
+        """
+        i, given = self._one(run), np.asarray(velocity, dtype=float)
+        if given.shape != (3,) or not np.isfinite(given).all():
+            raise InputError("velocity", str(velocity), "three numbers: m/s, m/s, rad/s", "(0.2, 0.0, 0.0)")
+        engine = self._engine.copy()
+        engine.push(i, given)
+        self._engine = engine
+
+    def which(self, runs: int | Iterable[int] | Flags | None) -> list[int]:
+        """Numbers of the runs that are meant: one, several, those of a flag for each, or all."""
         if runs is None:
             return list(range(len(self)))
         told = np.atleast_1d(np.asarray(list(runs) if isinstance(runs, Iterable) else runs))
@@ -268,8 +325,10 @@ class Session:
     def poses(self) -> Array:
         """(n, 3) where the sheets lie now on their plates: x, y, m, and the angle they are turned by, rad, in ±π."""
         poses = np.stack([self.now("centre_x"), self.now("centre_y"), self.now("rotation")], axis=1)
-        begin = np.array([(s.start.x, s.start.y, math.remainder(s.start.angle, 2 * math.pi)) for s in self.scenarios])
-        return np.where((self._engine.taken == 0)[:, None], begin, poses)
+        for i in np.flatnonzero(self._engine.taken == 0):
+            start = self.scenarios[i].start
+            poses[i] = start.x, start.y, math.remainder(start.angle, 2 * math.pi)
+        return poses
 
     def recording(self, run: int) -> Recording:
         """What is kept of what a run recorded since its start.
@@ -306,7 +365,7 @@ class Session:
         return observe(measured, joined([recording], channels))
 
     def _one(self, run: int) -> int:
-        return self._which(run)[0]
+        return self.which(run)[0]
 
     def _recorded(self, i: int, since: Sequence[int]) -> Recording:
         first = max(since[i] - self._forgotten, 0)
