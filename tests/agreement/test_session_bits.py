@@ -91,8 +91,8 @@ def test_layers_that_are_left_out_change_no_bit():
         for _ in range(pieces):
             session.advance(new, 0.6 / pieces)
     assert_same(one.recording(0), many.recording(0))
-    assert len(many._engine.course(0)) == 1, "dropped"
-    assert len(one._engine.course(0)) == 2, "kept"
+    assert len(many._engine.courses[0]) == 1, "dropped"
+    assert len(one._engine.courses[0]) == 2, "kept"
 
 
 def test_tiles_in_pieces_are_tiles_in_one():

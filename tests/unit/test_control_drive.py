@@ -83,3 +83,23 @@ def test_what_a_drive_refuses():
     ):
         with pytest.raises(pg.InputError, match=rf"^{field}"):
             call()
+
+
+@pytest.mark.parametrize("machine", ["source-robot", "six-axis"])
+def test_what_a_drive_works_out_is_what_the_motion_would(machine: str):
+    drive = Drive(machine, pg.PlateMotion(offset={"rx": "2 deg"}, angle="1 deg"))
+    rng = np.random.default_rng(2)
+    actions = np.vstack([rng.uniform(-1, 1, (40, len(drive))), np.zeros(len(drive)), drive.rest])
+    actions[:10, 3] = 0  # shaking in phase, and 10 where the plate does not shake
+    actions[10:20, 2] = -1
+    for motion in drive.motions(actions, heights=[0.004] * len(actions)):
+        fresh = pg.PlateMotion(**{name: getattr(motion, name) for name in pg.PlateMotion.model_fields})
+        assert fresh == motion
+        assert (motion.terms(), motion.period, motion.shortest_period) == (
+            fresh.terms(),
+            fresh.period,
+            fresh.shortest_period,
+        )
+        np.testing.assert_allclose(motion.most, fresh.most, rtol=1e-14)
+        assert motion.offset.pose == pg.Held(**{a: getattr(motion.offset, a) for a in pg.Held.model_fields}).pose
+        assert motion.height == 0.004

@@ -74,7 +74,8 @@ def test_a_copy_is_a_rollout():
 
 
 def test_what_goes_wrong_is_told_and_stays_told():
-    plant = Plant([CHEESE, CHEESE.replace(**{"start.x": 0.099}), CHEESE, CHEESE], machine=None)
+    endless = CHEESE.replace(plate=None)
+    plant = Plant([CHEESE, CHEESE.replace(**{"start.x": 0.099}), CHEESE, endless], machine=None)
     plant.push(1, (0.5, 0.0, 0.0))
     throw = CHEESE.motion.replace(frequency=30.0, angle=0.4, stroke=0.003, ramp=0.015)
     for _ in range(40):
@@ -85,10 +86,10 @@ def test_what_goes_wrong_is_told_and_stays_told():
     plant.reset([1])
     assert plant.status[1] == ""
     assert plant.status[2] == status[2]
+    plant.reset([3])
     plant.push(3, (1e4, 0.0, 0.0))
     plant.step(None)
     assert plant.status[3] == "diverged"
-    assert np.isnan(plant.step(None).poses[3]).sum() in (0, 3)
 
 
 def test_a_strip_without_an_area_is_not_folded():

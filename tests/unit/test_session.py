@@ -105,10 +105,10 @@ def test_a_machine_s_limits_are_kept_at_the_start_and_at_every_change():
     tight = pg.Machine(x=Sliding(acceleration=1.05 * alone[2, 0]), rx=Turning(acceleration=1.05 * alone[2, 3]))
     session = pg.Session([CHEESE.replace(motion=MOTION.replace(ramp=0.01))], machine=tight)
     session.advance(None, 0.1)
-    course = session._engine.course(0)
+    course = session._engine.courses[0]
     assert course[0].duration > 0.01, "a start that the machine can make"
     session.advance(MOTION.replace(stroke=-MOTION.stroke, ramp=0.01), 0.5)
-    course = session._engine.course(0)
+    course = session._engine.courses[0]
     moves = kinematics(course, np.linspace(0.1, 0.6, 50_000))
     assert np.abs(moves.acceleration[0]).max() <= 1.05 * alone[2, 0] * (1 + 1e-5)
     assert np.abs(moves.acceleration[3]).max() <= 1.05 * alone[2, 3] * (1 + 1e-5)

@@ -12,7 +12,7 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.errors import InputError
-from plategait.model.base import Model
+from plategait.model.base import Kept, Model
 from plategait.model.machine import Machine, machine_of
 from plategait.model.motion import AXES, Held, PlateMotion, Wave
 from plategait.units import ANGLE, FREQUENCY, PLATE_ANGLE, PLATE_STROKE, STROKE, Quantity
@@ -25,7 +25,12 @@ _SLOWEST = 1 / 8
 _HELD = math.radians(12)
 # What is left of a limit, so that rounding keeps within it.
 _ROOM = 1 - 1e-9
-_RAMP = Quantity("s", "s", "0.015 s", above=0, at_most=10)
+# Distance from an axis at which the acceleration of a plate that turns about it counts, m.
+EDGE = 0.05
+_ACCELERATION = Quantity("m/s^2", "m/s^2", "80 m/s^2", above=0)
+_RAMP = Quantity("s", "s", "0.05 s", above=0, at_most=10)
+_set = object.__setattr__
+_FIELDS: dict[type[Model], set[str]] = {model: set(model.model_fields) for model in (PlateMotion, Held, Wave)}
 _X, _RX = AXES.index("x"), AXES.index("rx")
 
 
@@ -69,7 +74,10 @@ class Drive:
     free : sequence of str, optional
         Names of the numbers that an action has, of `names`; all that the machine has by default.
     ramp : float or str
-        In which one motion is gone over to the next, s: below the time between two actions it is the quickest.
+        In which one motion is gone over to the next, s: one that changes within 15 ms throws a sheet over.
+    acceleration : float or str, optional
+        The most that sines may give the middle of the plate, and its surface `EDGE` off the axis it turns about, m/s²:
+        a gentler machine, of which more actions leave the sheet on the plate.
 
     Raises
     ------
@@ -83,12 +91,15 @@ class Drive:
         base: PlateMotion | None = None,
         *,
         free: Sequence[str] | None = None,
-        ramp: float | str = "0.015 s",
+        ramp: float | str = "0.05 s",
+        acceleration: float | str | None = None,
     ) -> None:
         self.machine, base = machine_of(machine), base or PlateMotion(angle=0.0, stroke=0.0)
         if base.samples is not None or base.waves:
             raise InputError("base", "further sines or samples", "a motion of frequency, angle and stroke", "cheese")
         self.base: PlateMotion = base.with_valid(ramp=_RAMP.read(ramp, "ramp"))
+        most = math.inf if acceleration is None else _ACCELERATION.read(acceleration, "acceleration")
+        self._gentle = np.where([axis.startswith("r") for axis in AXES], most / EDGE, most)[:, None]
         every = {freedom.name: freedom for freedom in _freedoms_of(self.machine)}
         for name in free or ():
             if name not in every:
@@ -107,12 +118,14 @@ class Drive:
         """Return how many numbers an action has."""
         return len(self.freedoms)
 
-    def motions(self, actions: Array) -> list[PlateMotion]:
+    def motions(self, actions: Array, heights: Sequence[float] | None = None) -> list[PlateMotion]:
         """Motions of actions; numbers beyond ±1 count as ±1.
 
         Parameters
         ----------
         actions : (n, d) array
+        heights : sequence of float, optional
+            Of each plate's surface above the axis that it turns about, m; the base's by default.
 
         Raises
         ------
@@ -120,29 +133,55 @@ class Drive:
             For another number of numbers, or one that is not finite.
         """
         values = self.values(actions)
+        ramp, heights = self.base.ramp, [self.base.height] * len(actions) if heights is None else heights
         columns = {name: column.tolist() for name, column in values.items()}
-        height, ramp = self.base.height, self.base.ramp
-        held, still = self.base.offset, self.base.offset.pose
-        tilts = "offset" in self.names
+        pairs = [(axis, AXES.index(axis), columns[axis], columns[f"{axis} phase"]) for axis in self._pairs]
+        held, (x, y, z, _, ry, rz) = self.base.offset, self.base.offset.pose
+        tilts, bounds = "offset" in self.names, self._bounds(values)
         made = []
-        for i, frequency in enumerate(columns["frequency"]):
-            waves = []
-            stroke, phase = columns["stroke"][i], columns["phase"][i]
+        for i, (frequency, angle, stroke, phase, tilt) in enumerate(
+            zip(*(columns[name] for name in ("frequency", "angle", "stroke", "phase", "offset")), strict=True)
+        ):
+            # What a motion works out of its fields is told with them: it is asked of every one, and known here.
+            waves, terms, period = [], [], 1 / frequency
             if stroke and phase:
-                waves.append(_made(Wave, {"axis": "x", "amplitude": stroke, "ratio": 1.0, "phase": phase}))
+                waves.append(_made(Wave, {"axis": "x", "amplitude": stroke, "ratio": 1.0, "phase": phase}, {}))
+                terms.append((_X, stroke, frequency, phase / (2 * math.pi)))
                 stroke = 0.0
-            for axis in self._pairs:
-                if amplitude := columns[axis][i]:
-                    own = columns[f"{axis} phase"][i]
-                    waves.append(_made(Wave, {"axis": axis, "amplitude": amplitude, "ratio": 1.0, "phase": own}))
+            elif stroke:
+                terms.append((_X, stroke, frequency, 0.0))
+            if angle:
+                terms.insert(0 if waves else len(terms), (_RX, -angle, frequency, 0.0))
+            for axis, d, amplitudes, phases in pairs:
+                if amplitude := amplitudes[i]:
+                    wave = {"axis": axis, "amplitude": amplitude, "ratio": 1.0, "phase": phases[i]}
+                    waves.append(_made(Wave, wave, {}))
+                    terms.append((d, amplitude, frequency, phases[i] / (2 * math.pi)))
             if tilts:
-                x, y, z, _, ry, rz = still
-                held = _made(Held, {"x": x, "y": y, "z": z, "rx": columns["offset"][i], "ry": ry, "rz": rz})
-            made.append(_made(PlateMotion, {
-                "frequency": frequency, "angle": columns["angle"][i], "stroke": stroke, "height": height, "ramp": ramp,
+                fields = {"x": x, "y": y, "z": z, "rx": tilt, "ry": ry, "rz": rz}
+                held = _made(Held, fields, {"pose": (x, y, z, tilt, ry, rz)})
+            fields = {
+                "frequency": frequency, "angle": angle, "stroke": stroke, "height": heights[i], "ramp": ramp,
                 "offset": held, "waves": tuple(waves), "samples": None,
+            }  # fmt: skip
+            made.append(_made(PlateMotion, fields, {
+                "_terms": tuple(terms), "shortest_period": period if terms else math.inf, "period": period,
+                "_most": Kept(bounds[i]),
             }))  # fmt: skip
         return made
+
+    def _bounds(self, values: dict[str, Array]) -> Array:
+        """(n, 4, 6) position, speed, acceleration and jerk that motions never exceed, as of `PlateMotion.most`."""
+        omega = 2 * math.pi * values["frequency"]
+        bounds = np.zeros((len(omega), 4, len(AXES)))
+        for name, d in (("stroke", _X), ("angle", _RX), *((axis, AXES.index(axis)) for axis in self._pairs)):
+            reached = np.abs(values[name])
+            for k in range(4):
+                bounds[:, k, d] = reached
+                reached = reached * omega
+        bounds[:, 0] += np.abs(self.base.offset.pose)
+        bounds[:, 0, _RX] += np.abs(values["offset"]) - abs(self.base.offset.rx)
+        return bounds
 
     def values(self, actions: Array) -> dict[str, Array]:
         """What actions stand for, SI: (n,) frequency, angle, stroke, phase, offset; amplitude and phase of other axes.
@@ -191,7 +230,7 @@ class Drive:
         limits, loads = self.machine.limits[:, :, None], self.machine.inertial_loads[:, None]
         with np.errstate(invalid="ignore"):
             by_load = np.where(np.isfinite(limits[4]), limits[4] / loads, np.inf) / omega**2
-        most = np.minimum(np.maximum(limits[0] - held, 0.0), by_load)
+        most = np.minimum(np.maximum(limits[0] - held, 0.0), np.minimum(by_load, self._gentle / omega**2))
         for k in (1, 2, 3):
             most = np.minimum(most, limits[k] / omega**k)
         return np.minimum(most * _ROOM, _largest()[:, None])
@@ -267,12 +306,13 @@ class Drive:
         return self.action(self.base.with_valid(angle=0.0, stroke=0.0))
 
 
-def _made(model: type[Model], fields: dict[str, Any]) -> Any:
-    """Model of fields that are known to be valid: as `Model.with_valid`, several times as fast."""
+def _made(model: type[Model], fields: dict[str, Any], worked_out: dict[str, Any]) -> Any:
+    """Model of fields that are known to be valid, as `Model.with_valid` but sooner, with what it works out of them."""
     made = model.__new__(model)
-    for name, value in (("__dict__", fields), ("__pydantic_fields_set__", set(fields)),
-                        ("__pydantic_extra__", None), ("__pydantic_private__", None)):  # fmt: skip
-        object.__setattr__(made, name, value)
+    _set(made, "__pydantic_fields_set__", _FIELDS[model])
+    _set(made, "__pydantic_extra__", None)
+    _set(made, "__pydantic_private__", None)
+    _set(made, "__dict__", {**fields, **worked_out})
     return made
 
 

@@ -22,8 +22,9 @@ from plategait.units import Quantity
 Counts = NDArray[np.int64]
 
 _TICK = Quantity("s", "s", "0.0166667 s", above=0, at_most=10)
-# Recorded past that is kept: what is shown now needs none.
-_KEEP = 0.1
+# Recorded past that is kept, and the time between samples, s, where nobody asks for pictures: what is shown now needs
+# none, and samples that fall at other times in each lane cost as much as half the steps.
+_KEEP = _SAMPLED = 0.1
 
 
 def at_rest(scenario: Scenario) -> Scenario:
@@ -75,6 +76,7 @@ class Plant:
         self.session = Session(
             [at_rest(scenario) for scenario in scenarios_of(scenarios)],
             machine=machine, threads=threads, keep=_KEEP, snapshot_interval=snapshot_interval,
+            sample_interval=_SAMPLED if snapshot_interval == 0 else 0.0,
         )  # fmt: skip
         n = len(self.session)
         self._stream = Stream(camera or Camera(), _seeds(list(range(n)) if seeds is None else seeds, n))

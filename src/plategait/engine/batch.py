@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import plategait._native as _native  # pyright: ignore[reportMissingImports]
 from plategait.arrays import Array, Flags
-from plategait.engine.packing import Numbers, Told, features_of, lines_of, pack_courses, parameters_of
+from plategait.engine.packing import Numbers, Rows, Told, features_of, lines_of, pack_courses, parameters_of
 from plategait.engine.piece import Piece
 from plategait.engine.recording import RunRequest
 from plategait.engine.trajectories import table_step
@@ -83,6 +83,8 @@ class Batch:
         self._features = features_of(self.runs, self._parameters)
         self.dt = np.array([r.scenario.dt for r in self.runs])
         self._packed: Numbers | None = None
+        self._rows: Rows = {}
+        self._seen: tuple[State, list[float]] | None = None
         self.state = self._start()
 
     def _start(self) -> State:
@@ -108,14 +110,23 @@ class Batch:
         """(n,) time of each run, s."""
         return self.state.clock[:, TAKEN].astype(float) * self.dt
 
+    @property
+    def _now(self) -> list[float]:
+        """Time of each run, s, kept as long as the runs stay where they are."""
+        if self._seen is None or self._seen[0] is not self.state:
+            self._seen = (self.state, self.time.tolist())
+        return self._seen[1]
+
     def change(self, j: int, motion: PlateMotion, duration: float) -> None:
         """Let the plate of a run go over to another motion from now on, within a duration, s."""
-        clock, dt = self.state.clock[j], float(self.dt[j])
-        self.courses[j] = gone_over(self.courses[j], motion, float(clock[TAKEN]) * dt, duration)
+        self.courses[j] = gone_over(self.courses[j], motion, self._now[j], duration)
         self._packed = None
+        if self.runs[j].sample_interval:
+            return
         stride = self.runs[j].stride_with(motion)
         if stride != self.stride[j]:
-            self._since_time[j] = clock[DUE] * dt
+            clock = self.state.clock[j]
+            self._since_time[j] = clock[DUE] * float(self.dt[j])
             self._since_sample[j] = clock[SAMPLED]
             self.stride[j] = stride
 
@@ -146,7 +157,7 @@ class Batch:
         row = parameters_of(run.scenario)
         self._parameters = self._parameters.copy()
         self._parameters[:, j] = [row[name] for name in _native.PARAMETERS]
-        self._features, self._packed = features_of(self.runs, self._parameters), None
+        self._features, self._packed, self._rows = features_of(self.runs, self._parameters), None, {}
 
     def push(self, j: int, velocity: Array) -> None:
         """Give a run's sheet a velocity more, as to a rigid body: (3,) along x and y, m/s, and about z, rad/s."""
@@ -206,20 +217,17 @@ class Batch:
         )
 
     def _courses_now(self, steps: Counts) -> Numbers:
-        time = self.time.tolist()
+        time = self._now
         reached = self.time + steps * self.dt
         if (reached > self._tabulated).any() and not self._ends:
             # Further than is needed now, or every piece would make them anew.
             self._tabulated, self._packed = np.maximum(_AHEAD * reached, self._tabulated), None
         for j, course in enumerate(self.courses):
-            if len(course) > 1 and len(needed := still_needed(course, time[j])) < len(course):
+            if len(course) > 1 and (needed := still_needed(course, time[j])) is not course:
                 self.courses[j], self._packed = needed, None
         if self._packed is None:
-            told = [
-                Told(r.scenario, course, float(end))
-                for r, course, end in zip(self.runs, self.courses, self._tabulated, strict=True)
-            ]
-            self._packed = pack_courses(told)
+            told = Told([r.scenario for r in self.runs], self.courses, self._tabulated)
+            self._packed, self._rows = pack_courses(told, self._rows)
         return self._packed
 
 

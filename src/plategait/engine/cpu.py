@@ -65,7 +65,8 @@ class Session:
             check_memory(runs, sample_bytes, len(CHANNEL))
         self._groups = [np.array(group) for group in _batches(runs, sample_bytes, ends)]
         self._batches = [Batch([runs[i] for i in group], precision, ends) for group in self._groups]
-        self._place = {int(i): (b, j) for b, group in enumerate(self._groups) for j, i in enumerate(group)}
+        places = {int(i): (b, j) for b, group in enumerate(self._groups) for j, i in enumerate(group)}
+        self._place = [places[i] for i in range(len(runs))]
 
     def copy(self) -> Session:
         """The same runs where they are, to go on with by themselves."""
@@ -106,10 +107,11 @@ class Session:
         for batch, state in zip(self._batches, states, strict=True):
             batch.state = state
 
-    def change(self, run: int, motion: PlateMotion, duration: float) -> None:
-        """Let the plate of a run go over to another motion from now on, within a duration, s."""
-        batch, j = self._place[run]
-        self._batches[batch].change(j, motion, duration)
+    def change(self, changes: Sequence[tuple[int, PlateMotion, float]]) -> None:
+        """Let the plates of runs go over to other motions from now on: run, motion, and within which duration, s."""
+        for run, motion, duration in changes:
+            batch, j = self._place[run]
+            self._batches[batch].change(j, motion, duration)
 
     def reset(self, run: int, request: RunRequest) -> None:
         """Let a run start anew, as another of the same lattice."""
@@ -126,10 +128,10 @@ class Session:
         batch, j = self._place[run]
         self._batches[batch].push(j, velocity)
 
-    def course(self, run: int) -> Course:
-        """Course of a run's plate."""
-        batch, j = self._place[run]
-        return self._batches[batch].courses[j]
+    @property
+    def courses(self) -> list[Course]:
+        """Course of each run's plate."""
+        return [self._batches[batch].courses[j] for batch, j in self._place]
 
     @property
     def taken(self) -> Counts:

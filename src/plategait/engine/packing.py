@@ -73,58 +73,89 @@ def features_of(runs: Sequence[RunRequest], parameters: NDArray[np.float64]) -> 
     ]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Told:
-    """What one run's plate was told: its course, and how far it is followed, s."""
+    """What the plates of some runs were told: their courses, and how far each is followed, s."""
 
-    scenario: Scenario
-    course: Course
-    end: float
+    scenarios: Sequence[Scenario]
+    courses: Sequence[Course]
+    ends: Sequence[float] | NDArray[np.float64]
 
-    def followed(self, layer: Layer) -> Followed | None:
-        """The sampled trajectory of a layer, to as far as it is followed."""
+    def followed(self, j: int, layer: Layer) -> Followed | None:
+        """The sampled trajectory of a run's layer, to as far as it is followed."""
         samples = layer.motion.samples
         if samples is None:
             return None
-        return Followed(samples, table_step(self.scenario, layer.motion), self.end - layer.table_begin)
+        step = table_step(self.scenarios[j], layer.motion)
+        return Followed(samples, step, float(self.ends[j]) - layer.table_begin)
 
 
-def pack_courses(told: Sequence[Told]) -> Numbers:
+@dataclass(frozen=True, eq=False)
+class Row:
+    """One layer of each run, packed: degree of freedom of each sine, (n_sines, 3, n_runs) numbers, and the layers'.
+
+    What it was packed of is kept with it, so that nothing else goes by the same identity.
+    """
+
+    of: Sequence[Layer]
+    dofs: NDArray[np.int32]
+    terms: NDArray[np.float64]
+    numbers: NDArray[np.float64]
+    sampled: bool
+
+
+Rows = dict[tuple[int, ...], Row]
+"""Rows by the identities of what they were packed of, of which there are none in two places."""
+
+
+def pack_courses(told: Told, before: Rows) -> tuple[Numbers, Rows]:
     """Courses side by side, by the core's names: the last layers of all are one, and so on down.
 
     Where a course has fewer layers than the longest, layers of a plate that stands where it begins lie beneath.
+
+    Parameters
+    ----------
+    told : Told
+    before : Rows
+        What was packed before of the same runs: most of it lies deeper now, and else the same.
     """
-    most = max(len(each.course) for each in told)
-    rows: list[list[Layer | None]] = [
-        [each.course[i - most + len(each.course)] if i >= most - len(each.course) else None for each in told]
-        for i in range(most)
-    ]
-    dofs, numbers, ends = [], [], [0]
-    for row in rows:
-        dof, terms = _terms([layer.motion.terms() if layer else () for layer in row])
-        dofs.append(dof)
-        numbers.append(terms)
-        ends.append(ends[-1] + len(dof))
-    knots, first, count = tables(
-        [t.followed(layer) if layer else None for row in rows for t, layer in zip(told, row, strict=True)]
-    )
+    courses = told.courses
+    most = max(map(len, courses))
+    missing = [most - len(course) for course in courses]
+    rows: Rows = {}
+    for i in range(most):
+        layers = [course[i - gone] if i > gone else course[0] for course, gone in zip(courses, missing, strict=True)]
+        count = sum(gone > i for gone in missing)
+        key = (*map(id, layers), *((gone > i for gone in missing) if count else ()))
+        rows[key] = before.get(key) or _row(layers, [gone > i for gone in missing], told)
+    packed, ends = list(rows.values()), np.cumsum([0, *(len(row.dofs) for row in rows.values())])
+    followed = []
+    if any(row.sampled for row in packed):
+        followed = [
+            None if gone > i else told.followed(j, layer)
+            for i, row in enumerate(packed)
+            for j, (layer, gone) in enumerate(zip(row.of, missing, strict=True))
+        ]
+    knots, first, count_of_knots = tables(followed)
     return {
-        "layer_terms": np.array(ends, dtype=np.int32),
-        "term_dof": np.concatenate(dofs), "terms": np.concatenate(numbers),
-        "layers": np.stack([_layers(row, told) for row in rows]),
-        "knots": knots, "first_knot": first, "n_knots": count,
-    }  # fmt: skip
+        "layer_terms": ends.astype(np.int32),
+        "term_dof": np.concatenate([row.dofs for row in packed]),
+        "terms": np.concatenate([row.terms for row in packed]),
+        "layers": np.stack([row.numbers for row in packed]),
+        "knots": knots, "first_knot": first, "n_knots": count_of_knots,
+    }, rows  # fmt: skip
 
 
-def _layers(row: Sequence[Layer | None], told: Sequence[Told]) -> NDArray[np.float64]:
-    """(numbers of a layer, n_runs), in the core's order."""
-    nothing = (0.0, 0.0, 0.0, 1.0)
+def _row(layers: Sequence[Layer], missing: Sequence[bool], told: Told) -> Row:
+    dofs, terms = _terms([() if gone else layer.motion.terms() for layer, gone in zip(layers, missing, strict=True)])
     numbers = [
-        (layer.begin, layer.duration, layer.table_begin, table_step(t.scenario, layer.motion)) if layer else nothing
-        for layer, t in zip(row, told, strict=True)
-    ]
-    held = [(layer or t.course[0]).motion.offset.pose for layer, t in zip(row, told, strict=True)]
-    return np.concatenate([np.array(numbers), np.array(held)], axis=1).T.copy()
+        (0.0, 0.0, 0.0, 1.0, *layer.motion.offset.pose) if gone
+        else (layer.begin, layer.duration, layer.table_begin,
+              1.0 if layer.motion.samples is None else table_step(scenario, layer.motion), *layer.motion.offset.pose)
+        for layer, gone, scenario in zip(layers, missing, told.scenarios, strict=True)
+    ]  # fmt: skip
+    sampled = any(layer.motion.samples is not None for layer in layers)
+    return Row(layers, dofs, terms, np.array(numbers).T.copy(), sampled)
 
 
 def _terms(

@@ -28,6 +28,8 @@ class RunRequest:
         Added to the scenario's start, m and rad.
     snapshot_interval : float
         Time between recorded shapes, s; 0 records none.
+    sample_interval : float
+        Time between samples, s; 0 for what a plate period asks for.
     initial : (positions, velocities), optional
         Each (n_nodes, 3), m and m/s: start from there instead, in the world frame.
     held : (n_nodes,) bool array, optional
@@ -37,6 +39,7 @@ class RunRequest:
     scenario: Scenario
     offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
     snapshot_interval: float = 0.0
+    sample_interval: float = 0.0
     initial: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
     held: NDArray[np.bool_] | None = None
 
@@ -58,7 +61,7 @@ class RunRequest:
 
     def stride_with(self, motion: PlateMotion) -> int:
         """Steps between samples while the plate moves otherwise, at the same time step."""
-        interval = min(LONGEST_SAMPLE_INTERVAL, motion.period / SAMPLES_PER_PERIOD)
+        interval = self.sample_interval or min(LONGEST_SAMPLE_INTERVAL, motion.period / SAMPLES_PER_PERIOD)
         return max(1, min(round(interval / self.scenario.dt), self.steps))
 
     @property

@@ -39,8 +39,8 @@ class Session(Protocol):
         """
         ...
 
-    def change(self, run: int, motion: PlateMotion, duration: float) -> None:
-        """Let the plate of a run go over to another motion from now on, within a duration, s."""
+    def change(self, changes: Sequence[tuple[int, PlateMotion, float]]) -> None:
+        """Let the plates of runs go over to other motions from now on: run, motion, and within which duration, s."""
         ...
 
     def reset(self, run: int, request: RunRequest) -> None:
@@ -55,8 +55,9 @@ class Session(Protocol):
         """Give a run's sheet a velocity more, as to a rigid body: (3,) along x and y, m/s, and about z, rad/s."""
         ...
 
-    def course(self, run: int) -> Course:
-        """Course of a run's plate."""
+    @property
+    def courses(self) -> list[Course]:
+        """Course of each run's plate."""
         ...
 
     @property

@@ -75,8 +75,10 @@ class Session:
             yield np.array(indices), piece
         self._groups = groups
 
-    def change(self, run: int, motion: PlateMotion, duration: float) -> None:
-        """Refuse another motion."""
+    def change(self, changes: Sequence[tuple[int, PlateMotion, float]]) -> None:
+        """Refuse other motions."""
+        if not changes:
+            return
         raise InputError("motions", "another motion", 'the same throughout for the engine "tiles"', 'the engine "cpu"')
 
     def reset(self, run: int, request: RunRequest) -> None:
@@ -92,10 +94,15 @@ class Session:
         """Refuse a push."""
         raise InputError("velocity", "a push", 'left out for the engine "tiles"', 'the engine "cpu"')
 
-    def course(self, run: int) -> Course:
-        """Course of a run's plate."""
-        group = next(g for g, indices in zip(self._groups, self._indices, strict=True) if run in indices)
-        return course_of(group.runs[0].scenario.motion)
+    @property
+    def courses(self) -> list[Course]:
+        """Course of each run's plate."""
+        first = dict(
+            (run, course_of(group.runs[0].scenario.motion))
+            for group, indices in zip(self._groups, self._indices, strict=True)
+            for run in indices
+        )
+        return [first[run] for run in range(self._runs)]
 
     @property
     def taken(self) -> Counts:

@@ -54,9 +54,11 @@ def course_of(motion: PlateMotion) -> Course:
 
 def still_needed(course: Course, time: float) -> Course:
     """Course without the layers that no longer matter."""
-    last = max((i for i, layer in enumerate(course) if layer.is_over(time)), default=0)
     # The first layer also tells where the plate stood before it.
-    return course[last:]
+    for i in range(len(course) - 1, 0, -1):
+        if course[i].is_over(time):
+            return course[i:]
+    return course
 
 
 def gone_over(course: Course, motion: PlateMotion, time: float, duration: float) -> Course:

@@ -284,5 +284,5 @@ class PlateMotion(Model):
 
         Finite however slow the plate is.
         """
-        denominators = [Fraction(w.ratio).limit_denominator(12).denominator for w in self.waves]
+        denominators = [Fraction(w.ratio).limit_denominator(12).denominator for w in self.waves if w.ratio != 1]
         return min(math.lcm(1, *denominators) / self.frequency, 1e300)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -169,7 +170,7 @@ def join_duration(course: Course, motion: PlateMotion, time: float, machine: Mac
         return motion.ramp
     if not surely_within(motion.most, motion, machine):
         check_motion(motion, machine, field, start=False)
-    if not machine.limits_rates and all(each.samples is None for each in (motion, *(at.motion for at in course))):
+    if not machine.limits_rates and motion.samples is None and _sines_alone(course):
         # Between one sine and another the plate is nowhere that neither of them is within reach of.
         return motion.ramp
     duration = motion.ramp
@@ -185,6 +186,42 @@ def join_duration(course: Course, motion: PlateMotion, time: float, machine: Mac
         duration *= math.sqrt(2)
     raise InputError(field, "a change that no join keeps within the limits", f"one that {machine.name} can make",
                      "a motion that leaves the machine some room")  # fmt: skip
+
+
+def _sines_alone(course: Course) -> bool:
+    for layer in course:  # noqa: SIM110, twice as fast as `all`
+        if layer.motion.samples is not None:
+            return False
+    return True
+
+
+def join_durations(
+    courses: Sequence[Course],
+    motions: Sequence[PlateMotion],
+    times: Sequence[float],
+    machine: Machine | None,
+    fields: Sequence[str],
+) -> list[float]:
+    """`join_duration` of many plates at once: the same numbers, sooner where bounds tell them.
+
+    Raises
+    ------
+    InputError
+        As of `join_duration`, for the first plate of which it does.
+    """
+    sure = np.zeros(len(motions), dtype=bool)
+    if machine is not None and not machine.limits_rates:
+        bounds = [motion.most for motion in motions]
+        told = [k for k, bound in enumerate(bounds) if bound is not None]
+        most = np.array([bounds[k][0] for k in told]).reshape(-1, len(AXES))  # type: ignore[index]
+        fastest = 1 / np.array([motions[k].shortest_period for k in told])
+        sure[told] = (most <= machine.limits[0]).all(axis=1) & (fastest <= (machine.frequency or math.inf))
+    return [
+        motion.ramp
+        if known and motion.ramp > SHORTEST_RAMP and _sines_alone(course)
+        else join_duration(course, motion, time, machine, field)
+        for known, course, motion, time, field in zip(sure.tolist(), courses, motions, times, fields, strict=True)
+    ]
 
 
 def start_duration(motion: PlateMotion, machine: Machine, field: str) -> float:

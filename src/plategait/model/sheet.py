@@ -65,6 +65,12 @@ class Sheet(Model):
         """Topology of the nodes."""
         return Lattice(occupied_squares(self.outline, self.pitch))
 
+    def made_of(self, **fields: float) -> Sheet:
+        """Same outline of another mass or other joints, of valid numbers: the nodes need not be laid out anew."""
+        other = self.with_valid(**fields)
+        other.__dict__["lattice"] = self.lattice
+        return other
+
     @property
     def node_mass(self) -> float:
         """Mass of one node m, kg."""

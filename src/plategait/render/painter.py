@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,6 +27,7 @@ SLAB, BAR = 0.045, 0.03
 
 _SKY, _FLOOR, _SHADOW = (250, 251, 252), (216, 223, 230), (36, 46, 62)
 _PLATE, _GRID, _AXIS, _METAL = (203, 212, 221), (186, 196, 207), (112, 126, 143), (165, 172, 181)
+_MARK = (196, 78, 82)
 _AMBIENT, _DIFFUSE, _SHINE = 0.50, 0.56, 0.18
 
 
@@ -59,8 +61,8 @@ class Painter:
         """(4, 3) corners of the plate at a height in its own frame, counter-clockwise from above."""
         return np.column_stack([np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * self.half, np.full(4, z)])
 
-    def picture(self, nodes: Array, pose: Array) -> Image:
-        """One frame."""
+    def picture(self, nodes: Array, pose: Array, marked: Sequence[Array] = ()) -> Image:
+        """One frame, with lines (n, 2), m, marked on the plate."""
         from PIL import Image, ImageDraw
 
         rotation, origin = rotation_of(pose), self._origin(pose)
@@ -74,6 +76,9 @@ class Painter:
         for k in np.nonzero(hidden)[0]:
             draw.polygon(polygons[k], colours[k])
         self._draw_plate(draw, rotation, origin)
+        for line in marked:
+            points = np.column_stack([line, np.zeros(len(line))]) @ rotation.T + origin
+            draw.line(self.camera.project(points).ravel().tolist(), _MARK, round(2.5 * FINER))
         picture = canvas.reduce(FINER)
         self._cast_shadow(picture, (low[self.sheet_mesh.used] - origin) @ rotation, rotation, origin)
         layer = Image.new("RGBA", canvas.size)

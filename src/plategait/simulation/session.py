@@ -18,8 +18,8 @@ from plategait.engine.recording import Recording, RunRequest
 from plategait.errors import InputError
 from plategait.model.course import Course
 from plategait.model.machine import Machine, machine_of
-from plategait.model.motion import PlateMotion
-from plategait.model.needs import join_duration, start_duration
+from plategait.model.motion import AXES, PlateMotion
+from plategait.model.needs import join_durations, start_duration
 from plategait.model.presets import Preset
 from plategait.model.scenario import MOST_STEPS, STEPS_PER_SINE, Scenario
 from plategait.simulation.observation import Observation, observe
@@ -53,6 +53,8 @@ class Session:
         Whose limits every motion, start and change keep.
     snapshot_interval : float or str
         Time between recorded shapes, s; 0 records none.
+    sample_interval : float or str
+        Time between samples, s; 0 for a 24th of each plate's period, at most 2 ms, as observables need.
     threads : int, optional
         Cores to use; all by default.
     keep : float or str
@@ -71,12 +73,14 @@ class Session:
         engine: Engine = "cpu",
         machine: Machine | Path | str | None = None,
         snapshot_interval: float | str = 0.0,
+        sample_interval: float | str = 0.0,
         threads: int | None = None,
         keep: float | str = 10.0,
     ) -> None:
         opener = engines.engine(engine).load()
         check_threads(threads)
         self._interval, self._keep = INTERVAL.read(snapshot_interval, "snapshot_interval"), _KEPT.read(keep, "keep")
+        self._sampled = INTERVAL.read(sample_interval, "sample_interval")
         self._machine = None if machine is None else machine_of(machine)
         self._threads = threads
         self.scenarios = scenarios_of(scenarios)
@@ -96,7 +100,7 @@ class Session:
             ramp = start_duration(scenario.motion, self._machine, "motion")
             if ramp != scenario.motion.ramp:
                 scenario = scenario.with_valid(motion=scenario.motion.with_valid(ramp=ramp))
-        return RunRequest(scenario, snapshot_interval=self._interval)
+        return RunRequest(scenario, snapshot_interval=self._interval, sample_interval=self._sampled)
 
     def __len__(self) -> int:
         """Return the number of runs."""
@@ -142,8 +146,8 @@ class Session:
             )
         changes = self._changes(motions)
         engine = self._engine.copy() if changes else self._engine
-        for i, motion, join in changes:
-            engine.change(i, motion, join)
+        if changes:
+            engine.change(changes)
         wanted = self._wanted + length
         steps = np.rint(wanted / self._dt).astype(np.int64) - engine.taken
         pieces = []
@@ -169,27 +173,26 @@ class Session:
             raise InputError(
                 "motions", f"{len(each)} motions", f"one, or one for each of {len(self)} runs", "one for all"
             )
-        changes = []
-        for i, motion in enumerate(each):
+        engine, dt, time = self._engine, self._dt.tolist(), self.time.tolist()
+        runs: list[int] = []
+        changed: list[PlateMotion] = []
+        courses: list[Course] = []
+        for i, (motion, course) in enumerate(zip(each, engine.courses, strict=True)):
             if motion is None:
                 continue
             if not isinstance(motion, PlateMotion):
                 raise InputError(f"motions.{i}", type(motion).__name__, "a PlateMotion", "scenario.motion.replace(...)")
-            course = self._engine.course(i)
-            if motion is course[-1].motion or motion == course[-1].motion:
+            last = course[-1].motion
+            # Most that differ do so in their frequency.
+            if motion is last or (motion.frequency == last.frequency and motion == last):
                 continue
-            changes.append((i, motion, self._join(i, course, motion)))
-        return changes
-
-    def _join(self, i: int, course: Course, motion: PlateMotion) -> float:
-        field, dt, height = f"motions.{i}", float(self._dt[i]), course[-1].motion.height
-        if motion.height != height:
-            raise InputError(f"{field}.height", f"{motion.height:g} m", f"{height:g} m, as it was", "another session")
-        if min(motion.shortest_period, motion.period) < STEPS_PER_SINE * dt:
-            raise InputError(f"{field}.frequency", f"a sine of {1 / motion.shortest_period:g} Hz",
-                             f"at most {1 / (STEPS_PER_SINE * dt):g} Hz at the session's time step of {dt:g} s",
-                             "scenarios with a shorter time_step")  # fmt: skip
-        return join_duration(course, motion, float(self.time[i]), self._machine, field)
+            _check_change(i, last, motion, dt[i])
+            runs.append(i)
+            changed.append(motion)
+            courses.append(course)
+        fields, times = [f"motions.{i}" for i in runs], [time[i] for i in runs]
+        joins = join_durations(courses, changed, times, self._machine, fields)
+        return list(zip(runs, changed, joins, strict=True))
 
     def reset(
         self,
@@ -259,7 +262,7 @@ class Session:
                              "a session of scenarios with a shorter time_step")  # fmt: skip
         became = scenario.with_valid(time_step=dt)
         engine = self._engine.copy()
-        engine.become(i, RunRequest(became, snapshot_interval=self._interval))
+        engine.become(i, RunRequest(became, snapshot_interval=self._interval, sample_interval=self._sampled))
         self._engine, self.scenarios[i] = engine, became
 
     def push(self, run: int, velocity: Sequence[float] | Array) -> None:
@@ -306,7 +309,7 @@ class Session:
     @property
     def motions(self) -> list[PlateMotion]:
         """Motion that each plate has, or goes over to."""
-        return [self._engine.course(i)[-1].motion for i in range(len(self))]
+        return [course[-1].motion for course in self._engine.courses]
 
     def now(self, channel: str) -> Array:
         """(n,) what the runs show now of a channel, SI; NaN before their first advance.
@@ -329,6 +332,16 @@ class Session:
             start = self.scenarios[i].start
             poses[i] = start.x, start.y, math.remainder(start.angle, 2 * math.pi)
         return poses
+
+    def shape(self, run: int) -> tuple[Array, Array]:
+        """Where a sheet's nodes are now, (n_nodes, 3), m, in the world; and its plate, (6,), m and rad."""
+        i = self._one(run)
+        if self._engine.taken[i] == 0:
+            request = self._request(self.scenarios[i])
+            return request.start()[0], request.scenario.motion.pose_at_start()
+        group, j = self._places[i]
+        pose = np.array([self.now(f"plate_{axis}")[i] for axis in AXES])
+        return self._pieces[-1][1][group].x[j].copy(), pose
 
     def recording(self, run: int) -> Recording:
         """What is kept of what a run recorded since its start.
@@ -359,7 +372,7 @@ class Session:
         skipped = self.scenarios[i].transient if transient is None else INTERVAL.read(transient, "transient")
         skipped = 0.3 * length if skipped is None else min(skipped, length)
         measured = self.scenarios[i].with_valid(
-            motion=self._engine.course(i)[-1].motion, duration=length, transient=skipped, time_step=float(self._dt[i])
+            motion=self._engine.courses[i][-1].motion, duration=length, transient=skipped, time_step=float(self._dt[i])
         )
         channels = {**recording.channels, "time": recording["time"] - begin}
         return observe(measured, joined([recording], channels))
@@ -374,3 +387,14 @@ class Session:
         if not any(len(piece["time"]) for piece in pieces):
             raise InputError("runs", f"run {i}, of which nothing was recorded yet", "advanced first", "session.advance")
         return joined(pieces)
+
+
+def _check_change(i: int, before: PlateMotion, motion: PlateMotion, dt: float) -> None:
+    """Refuse a motion that a run under way cannot be given."""
+    if motion.height != before.height:
+        raise InputError(f"motions.{i}.height", f"{motion.height:g} m", f"{before.height:g} m, as it was",
+                         "another session")  # fmt: skip
+    if min(motion.shortest_period, motion.period) < STEPS_PER_SINE * dt:
+        raise InputError(f"motions.{i}.frequency", f"a sine of {1 / motion.shortest_period:g} Hz",
+                         f"at most {1 / (STEPS_PER_SINE * dt):g} Hz at the session's time step of {dt:g} s",
+                         "scenarios with a shorter time_step")  # fmt: skip
