@@ -63,9 +63,10 @@ def test_what_is_no_recording_is_one_line(called, tmp_path, kind, text):
 
 def test_estimate_gives_numbers_a_fragment_and_a_picture(called, tmp_path):
     (tmp_path / "c.csv").write_text(CURVE)
+    known = ("--noise", "5%", "--beta", "0.53", "--model-error", "0", "--fixed", "bending_damping", "--fixed",
+             "plate_height", "--duration", "1 s")  # fmt: skip
     files = ("--out", "e.toml", "--plot", "e.png")
-    done = called("estimate", "c.csv", "--noise", "5%", "--beta", "0.53", "--model-error", "0", "--json", *files,
-                      cwd=tmp_path, check=0)  # fmt: skip
+    done = called("estimate", "c.csv", *known, "--json", *files, cwd=tmp_path, check=0)
     numbers = json.loads(done.stdout)
     angle = numbers["parameters"]["friction_angle"]
     assert angle["verdict"] == "determined"

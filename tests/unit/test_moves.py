@@ -10,15 +10,17 @@ import pytest
 from plategait import InputError, PlateMotion, preset
 from plategait.model.machine import MACHINES, Machine
 from plategait.moves import atlas as making
-from plategait.moves.atlas import anywhere, atlas, freedoms_of, prepared
+from plategait.moves.atlas import anywhere, atlas, prepared
 from plategait.moves.cells import Archive, cell_of, quality
 from plategait.moves.certainty import CHI2, covariance, distances_left_out, widening
 from plategait.moves.figures import plot_atlas
 from plategait.moves.primitives import candidates, in_turn
 from plategait.moves.report import motion_fields, reached_in, summary
 from plategait.moves.settling import settling_time
-from plategait.moves.vary import children, mirrored, spread
-from plategait.optimize.space import space_of
+from plategait.moves.vary import children
+from plategait.optimize.space import freedoms_of, space_of
+from plategait.optimize.spread import scattered
+from plategait.optimize.symmetry import mirrored
 from plategait.optimize.trials import Trial
 from plategait.simulation.run import simulate_all
 
@@ -54,7 +56,7 @@ def test_each_machine_frees_what_it_moves():
 def test_mirrored_motions_carry_a_disk_the_mirrored_way(machine, signs):
     """In exact arithmetic: a mirror image of the plate's motion moves the mirror image of the sheet."""
     over = space(MACHINES[machine])
-    shares = spread(over, 16, seed=3)
+    shares = scattered(over, 16, seed=3)
     images = np.concatenate([shares[None], mirrored(over, shares)])
     scenario = CHEESE.replace(duration=0.4, transient=0.1, slip_limit=10.0)
     motions = [over.at(row) for row in images.reshape(-1, shares.shape[1])]
@@ -70,7 +72,7 @@ def test_mirrored_motions_carry_a_disk_the_mirrored_way(machine, signs):
 
 def test_children_stay_within_the_ranges_and_near_their_parents():
     over = space()
-    parents = spread(over, 16, seed=0)
+    parents = scattered(over, 16, seed=0)
     made = children(over, parents, 400, np.random.default_rng(0))
     assert made.min() >= 0
     assert made.max() <= 1

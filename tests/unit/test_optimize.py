@@ -19,10 +19,12 @@ from plategait.optimize.figures import plot_optimum
 from plategait.optimize.goal import Goal
 from plategait.optimize.optimize import optimize_motion
 from plategait.optimize.optimum import front
+from plategait.optimize.proof import agree, prove, standing
 from plategait.optimize.ranking import largest_chance, least_chance, ranks, runs_without_failure
 from plategait.optimize.report import summary
 from plategait.optimize.search import Effort, Generations, usual_effort
-from plategait.optimize.space import FREEDOMS, space_of
+from plategait.optimize.space import FREEDOMS, REST, space_of
+from plategait.optimize.symmetry import mirrored, nearest_images
 from plategait.optimize.trials import Trial, costs_of
 from plategait.optimize.within import fitted
 
@@ -85,10 +87,40 @@ def test_freedoms_are_freed_in_turn():
 
 
 def test_shares_and_values_are_each_other_s_inverse():
-    for variable in space_of(PlateMotion(), LIMITED, {}, FREEDOMS, both_ways=True).variables:
+    for variable in space_of(PlateMotion(), LIMITED, {}, FREEDOMS, both_ways=True, may_rest=True).variables:
         for share in (0.1, 0.5, 0.9):
             value = variable.at(share)
             assert variable.at(variable.share_of(value)) == pytest.approx(value, abs=1e-12)
+
+
+def test_an_amplitude_that_may_rest_is_none_in_part_of_its_range_unless_a_range_is_told():
+    frequency, angle, stroke = space_of(PlateMotion(), ROBOT, {}, may_rest=True).variables
+    assert [angle.at(share) for share in (0.0, 0.2, 1.0)] == [0.0, 0.0, pytest.approx(math.radians(24))]
+    assert stroke.at(stroke.share_of(0.0)) == 0.0
+    assert 0 < stroke.at(REST) < stroke.at(0.5) < 3e-3
+    assert frequency.at(0.0) > 0
+    told = space_of(PlateMotion(), ROBOT, {"angle": (0.02, 0.1)}, may_rest=True).variables[1]
+    assert told.at(0.0) == pytest.approx(0.02)
+
+
+@pytest.mark.parametrize("signs", [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])
+def test_the_nearest_image_of_a_motion_is_what_a_search_sets_out_from(signs):
+    space = space_of(PlateMotion(), ROBOT, {}, ["offset", "phase"], both_ways=True)
+    shares = np.linspace(0.1, 0.9, len(space.variables))
+    twist = np.array([0.1, 0.03, 0.5])
+    near, far = (Trial(at, PlateMotion(), {}, np.array([[*v, 0.0, 1.0, 0.0]]))
+                 for at, v in ((shares, twist), (shares / 2, 3 * twist)))  # fmt: skip
+    failed = Trial(shares, PlateMotion(), {}, np.array([[*(twist * signs), 0.0, 0.5, 1.0]]))
+    goal = Goal(*(twist * signs).tolist())
+    first, second = nearest_images(space, goal, [far, failed, near], 3)
+    wanted = shares
+    for mirror in (0, 1):
+        # Across the bar the velocity along keeps its sign, and along it the one across does.
+        if (signs[1] if mirror == 0 else signs[0]) < 0:
+            wanted = mirrored(space, wanted)[mirror]
+    np.testing.assert_allclose(first, wanted)
+    assert not np.allclose(second, first)
+    np.testing.assert_allclose(nearest_images(space, goal, [failed], 3), np.full((1, len(shares)), 0.5))
 
 
 def test_a_harmonic_beyond_the_machine_is_left_out():
@@ -176,6 +208,41 @@ def test_a_front_leaves_out_what_is_slower_and_dearer():
     assert [t.spin_rate for t in front(all_of_them, "bending")] == [1.0, -3.0, 4.0]
 
 
+def trial_of(spin: float, runs: int = 1) -> Trial:
+    rows = np.tile([0.0, 0.0, spin, 0.0, 1.0, 0.0], (runs, 1))
+    return Trial(np.array([spin]), PlateMotion(), {"acceleration": spin}, rows)
+
+
+def test_what_passes_its_test_and_does_not_hold_gives_way_to_the_next():
+    goal, asked = Goal(spin=5.0), []
+    trials = [trial_of(spin) for spin in (5.0, 5.02, 5.04, 9.0)]
+
+    def again(some, runs):
+        asked.append((len(some), runs))
+        return [trial_of(float(trial.shares[0]), runs) for trial in some]
+
+    def holds(trial):
+        return trial.spin_rate > 5.01
+
+    proof = prove(trials, goal, again, 45, 0.05, 0.9, holds)
+    assert (proof.certain, proof.holds, proof.tests, proof.trial.spin_rate) == (True, True, 2, pytest.approx(5.02))
+    assert asked[-2:] == [(1, 45), (1, 45)]
+    none = prove(trials, goal, again, 45, 0.05, 0.9, lambda trial: False)
+    # What is nearest to that is told all the same.
+    assert none.certain
+    assert not none.holds
+    assert none.trial.spin_rate == pytest.approx(5.0)
+    assert standing(proof, goal) < standing(none, goal)
+
+
+def test_a_confirmation_looks_at_what_is_sought_alone():
+    usual, fine = trial_of(5.0, 16), trial_of(5.2, 16)
+    assert agree(fine, usual, Goal(spin=5.0))  # 4 %
+    assert not agree(trial_of(5.3, 16), usual, Goal(spin=5.0))
+    assert not agree(trial_of(5.3, 16), usual, Goal())
+    assert agree(trial_of(9.0, 16), usual, Goal(along=0.0))
+
+
 # The whole, on a toy
 
 
@@ -184,7 +251,7 @@ def toy(scenarios, **_):
     runs = []
     for scenario in scenarios:
         m = scenario.motion
-        ridge = math.degrees(abs(m.angle)) * (m.frequency / 25) ** 2 / 3
+        ridge = max(math.degrees(abs(m.angle)), 1e-9) * (m.frequency / 25) ** 2 / 3
         failed = ridge * (1 + 3 * abs(scenario.start.x)) > 3.2 / 3
         rate = 10 * math.exp(-(math.log(ridge) ** 2) - math.log(m.frequency / 25) ** 2) * m.stroke / 0.003
         rate = math.copysign(rate, m.angle)
@@ -220,7 +287,7 @@ def test_the_top_is_found_from_any_seed(seed, in_place_of_the_engine):
     assert optimum.sound
     assert optimum.trial.spin_rate > 9.5  # of 10 at the top, and 9.9 where it begins to fail
     assert optimum.trial.motion.frequency == pytest.approx(25, rel=0.2)  # the top is flat: 4 % less at 20 % off
-    assert optimum.evaluations == optimum.chosen.runs <= 1.3 * usual_effort(optimum.space, 0.05, 0.9).expected
+    assert optimum.evaluations == optimum.chosen.runs <= 1.3 * usual_effort(optimum.space, Goal(), 0.05, 0.9).expected
 
 
 def test_a_rate_is_reached_at_the_least_cost(in_place_of_the_engine):
@@ -410,6 +477,24 @@ def test_what_cannot_be_sought_is_refused_in_a_line(changes, options, field):
         optimize_motion(preset("cheese").scenario.replace(**changes), effort=SMALL, **options)
     assert error.value.field == field
     assert len(str(error.value).splitlines()) == 1
+
+
+def test_a_velocity_is_reached_by_freedoms_that_nobody_typed(in_place_of_the_engine, monkeypatch):
+    """A toy that rocking turns and the offset carries along: only a plate that hardly rocks reaches the goal."""
+
+    def carried(scenarios, **_):
+        for scenario, run in zip(scenarios, runs := toy(scenarios), strict=True):
+            m = scenario.motion
+            moved = {"velocity_x": 0.8 * m.offset.rx, "velocity_y": 0.1 * math.sin(5 * m.offset.rx * m.angle)}
+            run.observations[0].values |= moved
+        return runs
+
+    monkeypatch.setattr(runs_module, "simulate_all", carried)
+    effort = Effort(first=64, stages=(Generations(8, 12),) * 2, test=22)
+    optimum = optimize_motion("cheese", goal=Goal(along=-0.1, across=0.0, spin=0.0), seed=0, effort=effort)
+    assert {v.freedom for v in optimum.space.variables} == {"", "phase", "harmonics", "offset"}
+    assert optimum.reached
+    assert optimum.gain is None
 
 
 def test_an_object_that_is_to_travel_may_slip_that_far(in_place_of_the_engine):

@@ -68,7 +68,8 @@ class RangeOptions:
         list[str] | None,
         typer.Option(
             "--free",
-            help="What may vary as well: phase, ratio (of frequencies), harmonics, offset, y, z, ry, rz; repeatable.",
+            help="What may vary as well: phase, ratio (of frequencies), harmonics, offset, y, z, ry, rz; repeatable. "
+            "All that the machine can, but ratio, where the object is to travel.",
         ),
     ] = None
 
@@ -82,9 +83,9 @@ class RangeOptions:
             if (typed := getattr(self, name)) is not None
         }
 
-    def freedoms(self) -> list[str]:
-        """Freedoms that were typed, by commas or one by one."""
-        return [name.strip() for typed in self.free or [] for name in typed.split(",")]
+    def freedoms(self) -> list[str] | None:
+        """Freedoms that were typed, by commas or one by one; None where none was."""
+        return None if self.free is None else [name.strip() for typed in self.free or [] for name in typed.split(",")]
 
 
 @dataclass(frozen=True)

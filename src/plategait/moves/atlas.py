@@ -21,9 +21,11 @@ from plategait.moves.cells import SIZES, Archive, Cell, check_sizes
 from plategait.moves.certainty import covariance, widening
 from plategait.moves.primitives import DIRECTIONS, Primitive, candidates, in_turn, still
 from plategait.moves.settling import settling_time
-from plategait.moves.vary import children, mirrored, spread
+from plategait.moves.vary import children
 from plategait.optimize.diary import open_diary
-from plategait.optimize.space import Freedom, Space, space_of
+from plategait.optimize.space import Freedom, Space, freedoms_of, space_of
+from plategait.optimize.spread import scattered
+from plategait.optimize.symmetry import mirrored
 from plategait.optimize.trials import Bench, Placing, Tally, Trial
 from plategait.simulation.run import check_whole
 
@@ -185,20 +187,6 @@ def atlas(
     return Atlas(placed, shaker, space, sizes, cells, primitives, wide, int(tally.done), reach)
 
 
-def freedoms_of(machine: Machine) -> tuple[Freedom, ...]:
-    """What may vary on a machine beside frequency and amplitudes, degrees of freedom among it."""
-    moves = dict(zip(("x", "y", "z", "rx", "ry", "rz"), machine.limits[0] > 0, strict=True))
-    free: list[Freedom] = []
-    if moves["x"] and moves["rx"]:
-        free.append("phase")
-    if moves["x"] or moves["rx"]:
-        free.append("harmonics")
-    if moves["rx"]:
-        free.append("offset")
-    further: tuple[Freedom, ...] = ("y", "z", "ry", "rz")
-    return (*free, *(axis for axis in further if moves[axis]))
-
-
 def prepared(scenario: Scenario, duration: float, reach: float) -> Scenario:
     """Scenario as the atlas runs it: free to travel, of its duration.
 
@@ -222,12 +210,12 @@ def prepared(scenario: Scenario, duration: float, reach: float) -> Scenario:
 def _searched(space: Space, bench: Bench, sizes: Array, generations: int, seed: int) -> Archive:
     """Archive after the spread motions, their mirror images, and the generations."""
     archive, generator = Archive(sizes), np.random.default_rng(seed)
-    shares = spread(space, _FIRST, seed)
+    shares = scattered(space, _FIRST, seed)
     archive.add(_tried(space, bench, shares, 0))
     for generation in range(1, generations + 1):
         elites = archive.elites
         if not elites:
-            shares = spread(space, POPULATION, seed + generation)
+            shares = scattered(space, POPULATION, seed + generation)
         elif generation == generations // 2:
             # What is known of one side is a guess at the others, better than any variation.
             images = mirrored(space, _shares(elites)).reshape(-1, len(space.variables))

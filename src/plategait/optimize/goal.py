@@ -76,6 +76,13 @@ class Goal:
         return self.along is None and self.across is None and self.spin is None
 
     @property
+    def sought(self) -> tuple[int, ...]:
+        """Which of along, across and turning are sought."""
+        if self.fastest:
+            return (2,)
+        return tuple(i for i, name in enumerate(_COMPONENTS) if getattr(self, name) is not None)
+
+    @property
     def cost(self) -> Cost:
         """What is to be least."""
         return self.least or "acceleration"

@@ -20,8 +20,9 @@ from plategait.model.scenario_file import write_scenario
 from plategait.optimize.diary import open_diary
 from plategait.optimize.goal import Goal
 from plategait.optimize.optimum import Optimum, Sensitivity, best_of
-from plategait.optimize.search import Effort, search, usual_effort
-from plategait.optimize.space import Freedom, Space, Variable, space_of
+from plategait.optimize.proof import CONFIRMED, FINER
+from plategait.optimize.search import CONFIRMATION, Effort, search, usual_effort
+from plategait.optimize.space import Freedom, Space, Variable, freedoms_of, space_of
 from plategait.optimize.trials import Bench, Tally, Trial
 from plategait.simulation.run import check_whole
 
@@ -29,14 +30,12 @@ PERMITTED, CONFIDENCE = 0.05, 0.9
 """Chance of failure that is permitted unless asked otherwise, and the confidence with which it is bounded."""
 APART, AROUND = 0.05, 16
 """How far each variable is moved for the sensitivities, as a share of its value, and runs of each motion there."""
-FINER, CONFIRMED = 10, 16
-"""How many times as fine the time step of the confirmation is, and its runs."""
 MOST_SEARCHES = 20
 
 # What an object that is to travel may slip beyond its way, and shares nearer to none or all than any test can tell.
 _ROOM, _LEAST_SHARE = 1.5, 0.001
 # Batches of these are numbered apart from those of the searches.
-_SENSITIVITIES, _CONFIRMATION = 10**6, 10**6 + 1
+_SENSITIVITIES = 10**6
 
 
 def optimize_motion(
@@ -45,7 +44,7 @@ def optimize_motion(
     goal: Goal | None = None,
     *,
     ranges: Mapping[str, tuple[float, float]] | None = None,
-    free: Sequence[Freedom] = (),
+    free: Sequence[Freedom] | None = None,
     measured: Sequence[Fragment] = (),
     draws: int = 0,
     chance_of_failure: float = PERMITTED,
@@ -71,8 +70,8 @@ def optimize_motion(
         The fastest spin by default.
     ranges : mapping of str to (low, high), optional
         Of "frequency", "angle" and "stroke", SI; alike where it is not to vary. What the machine can by default.
-    free : sequence of str
-        Further freedoms (`plategait.optimize.space.FREEDOMS`).
+    free : sequence of str, optional
+        Further freedoms (`plategait.optimize.space.FREEDOMS`); by default none, or where the object is to travel all.
     measured : sequence of Fragment
         Laid over the scenario, at their values.
     draws : int
@@ -105,7 +104,7 @@ def optimize_motion(
     objects = _objects(as_scenario(scenario), measured, goal, draws, seed)
     shaker = machine_of(machine)
     space = _space(objects[0], shaker, goal, ranges or {}, free)
-    effort = effort or usual_effort(space, chance_of_failure, confidence)
+    effort = effort or usual_effort(space, goal, chance_of_failure, confidence)
     chances = {"permitted": chance_of_failure, "confidence": confidence}
     wanted = _identity(objects, space, [repr(goal), repr(effort), chances, searches, seed, engine])
     expected = searches * effort.expected + 2 * AROUND * len(space.variables) + CONFIRMED * FINER
@@ -116,7 +115,7 @@ def optimize_motion(
         found = tuple(search(space, goal, own, effort=effort, seed=own.seed, **chances) for own in benches)
         best = best_of(found, goal).proof.trial
         around = sensitivities(space, best, bench)
-        (fine,) = bench.try_motions([(best.shares, best.motion)], CONFIRMED, _CONFIRMATION, finer=FINER)
+        (fine,) = bench.try_motions([(best.shares, best.motion)], CONFIRMED, CONFIRMATION, finer=FINER)
     return Optimum(objects[0].replace(motion=best.motion), goal, shaker, space, found, sensitivities=around,
                    confirmation=fine, **chances)  # fmt: skip
 
@@ -144,14 +143,17 @@ def _space(
     machine: Machine,
     goal: Goal,
     ranges: Mapping[str, tuple[float, float]],
-    free: Sequence[Freedom],
+    free: Sequence[Freedom] | None,
 ) -> Space:
     """Motions to choose from for an object; refuses a plate that is too small for it, and a cost that is not known."""
     check_object(scenario, goal)
     if goal.cost in ("torque", "power") and not np.isfinite(machine.inertial_loads).all():
         raise InputError("least", goal.cost, f"a cost that is known, and {machine.name} does not tell its masses",
                          "acceleration, or plate_mass and the inertias in the machine's file")  # fmt: skip
-    return space_of(scenario.motion, machine, ranges, free, both_ways=not goal.fastest)
+    travels = goal.way > 0
+    if free is None:
+        free = freedoms_of(machine) if travels else ()
+    return space_of(scenario.motion, machine, ranges, free, both_ways=not goal.fastest, may_rest=travels)
 
 
 def _identity(objects: Sequence[Scenario], space: Space, rest: list[Any]) -> dict[str, Any]:

@@ -11,8 +11,8 @@ import numpy as np
 from plategait.model.machine import Machine
 from plategait.model.scenario import Scenario
 from plategait.model.scenario_file import write_scenario
-from plategait.optimize.goal import LEAST_RATE, LEAST_VELOCITY, Goal
-from plategait.optimize.proof import standing
+from plategait.optimize.goal import LEAST_RATE, Goal
+from plategait.optimize.proof import agree, standing
 from plategait.optimize.ranking import largest_chance, least_chance
 from plategait.optimize.search import Found
 from plategait.optimize.space import Space, Variable
@@ -99,22 +99,14 @@ class Optimum:
     def confirmed(self) -> bool:
         """Whether the motion does the same at a tenth of the time step.
 
-        Its velocity is within 5 % of what it was, or 5 mm/s and 5 deg/s, and what the starts leave uncertain of either;
-        and it does not fail more often than is permitted, as far as so few runs can tell.
+        See `plategait.optimize.proof.agree`; and it does not fail more often than is permitted, as far as so few runs
+        can tell.
         """
-        fine, usual = self.confirmation, self.trial
-        if not fine.counted or not usual.counted:
-            return False
-        least = np.array([LEAST_VELOCITY, LEAST_VELOCITY, LEAST_RATE])
-        allowed = np.maximum(0.05 * abs(usual.twist), least) + np.nan_to_num(fine.half_width + usual.half_width)
-        components = [self._sought(i) for i in range(3)]
-        near = bool((np.abs(fine.twist - usual.twist) <= allowed)[components].all())
-        return near and least_chance(fine.failed, fine.runs, self.confidence) <= self.permitted
-
-    def _sought(self, component: int) -> bool:
-        if self.goal.fastest:
-            return component == 2
-        return (self.goal.along, self.goal.across, self.goal.spin)[component] is not None
+        fine = self.confirmation
+        return (
+            agree(fine, self.trial, self.goal)
+            and least_chance(fine.failed, fine.runs, self.confidence) <= self.permitted
+        )
 
     @property
     def sound(self) -> bool:

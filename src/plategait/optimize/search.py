@@ -7,20 +7,20 @@ number here was fitted to an object.
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import qmc
 
 from plategait.arrays import Array, Flags
 from plategait.model.motion import PlateMotion
 from plategait.optimize.goal import AIMED, Goal
-from plategait.optimize.proof import HEATS, Proof, better, prove
+from plategait.optimize.proof import CONFIRMED, FINER, HEATS, Proof, agree, better, prove, standing
 from plategait.optimize.ranking import ranks, runs_without_failure
 from plategait.optimize.space import Space
+from plategait.optimize.spread import scattered, spread
 from plategait.optimize.strategy import evolution_strategy
+from plategait.optimize.symmetry import nearest_images
 from plategait.optimize.trials import Bench, Trial
 
 STARTS = (1, 1, 3)
@@ -32,6 +32,13 @@ LOOSE = 0.2
 """Share of the spread that counts as reaching a goal at first."""
 SHORT = 0.05
 """First steps from where another strategy ended, as a share of each range."""
+CARRYING, BEGINNINGS, ROAMING = 256, 3, 0.1
+"""Motions of the spread from which a search for a velocity sets out, how often it does, and its first steps then.
+
+Few motions carry an object without turning it: what is near the goal at first decides whether it is found.
+"""
+CONFIRMATION = 10**6 + 1
+"""Number of the batch of a confirmation, apart from those of a search: what a search confirmed need not run again."""
 # How far a strategy starts from the ends of the ranges.
 _EDGE = 0.02
 
@@ -68,7 +75,8 @@ class Effort:
     first : int
         Motions spread over the space, one run each.
     stages : tuple of Generations
-        Of the strategy with all freedoms at rest, and of one more with each freedom in turn (`Space.stages`).
+        Of the strategy with all freedoms at rest, and of one more with each freedom in turn (`Space.stages`). Where an
+        object is to be carried, of the strategies from each beginning, all of which have all freedoms.
     test : int
         Runs of the test, in none of which the object may fail.
     """
@@ -90,8 +98,11 @@ def usual_generations(variables: int) -> Generations:
     return Generations(population, 27 + 3 * max(variables - 3, 0))
 
 
-def usual_effort(space: Space, permitted: float, confidence: float) -> Effort:
-    """Effort for a space and what is to be bounded."""
+def usual_effort(space: Space, goal: Goal, permitted: float, confidence: float) -> Effort:
+    """Effort for a space, what is sought in it and what is to be bounded."""
+    if goal.way:
+        one = usual_generations(len(space.variables))
+        return Effort(CARRYING, (one,) * BEGINNINGS, runs_without_failure(permitted, confidence))
     first = 64 + 32 * max(len(space.variables) - 3, 0)
     stages = tuple(usual_generations(int(varies.sum())) for varies in space.stages)
     return Effort(first, stages, runs_without_failure(permitted, confidence))
@@ -151,6 +162,8 @@ class _Search:
 
     def run(self) -> Found:
         """All of it: first with all freedoms at rest, then with one more of them in turn from the best there is."""
+        if self.goal.way:
+            return self._carried()
         first = self._try(spread(self.space, self.effort.first, self.seed), 1)
         stages = self.space.stages
         rested, roamed = [t for t in first if self._rests(t)], [t for t in first if not self._rests(t)]
@@ -183,11 +196,33 @@ class _Search:
         allowed, dimension = self._allowed([*first, *evolved], generations.count), int(varies.sum())
         both = [*first, *evolved]
         best = int(ranks(both, self.goal, allowed[0]).argmin())
-        start, is_evolved = both[best].shares, best >= len(first)
-        step = SHORT if is_evolved else 0.5 * self.effort.first ** (-1 / dimension)
+        step = SHORT if best >= len(first) else 0.5 * self.effort.first ** (-1 / dimension)
+        return self._climb(both[best].shares, step, varies, generations, allowed, self.seed)
+
+    def _carried(self) -> Found:
+        """Search for a motion that carries: strategies with all freedoms, each from another motion near the goal.
+
+        Until the goal is reached nothing else counts: cheap motions that hardly move lead nowhere. The best of each is
+        proved, as all that a strategy ends with may be too uncertain, or do otherwise at a finer step.
+        """
+        first = self._try(list(scattered(self.space, self.effort.first, self.seed)), 1)
+        varies = np.ones(len(self.space.variables), dtype=bool)
+        beginnings = nearest_images(self.space, self.goal, first, len(self.effort.stages))
+        proofs = []
+        for number, (start, generations) in enumerate(zip(beginnings, self.effort.stages, strict=False)):
+            before = len(self.trials)
+            self._climb(start, ROAMING, varies, generations, np.full(generations.count, AIMED), self.seed + number)
+            proofs.append(self._proved(self.trials[before:]))
+        best = min(proofs, key=lambda proof: standing(proof, self.goal))
+        return Found(best, None, tuple(self.trials), self.runs, self.seed)
+
+    def _climb(
+        self, start: Array, step: float, varies: Flags, generations: Generations, allowed: Array, seed: int
+    ) -> list[Trial]:
+        """Generations of a strategy from shares (d,) of which some vary; gives the last."""
         strategy = evolution_strategy(
-            np.clip(start[varies], _EDGE, 1 - _EDGE), step, [0.0] * dimension, [1.0] * dimension,
-            generations.population, self.seed, "optimize",
+            np.clip(start[varies], _EDGE, 1 - _EDGE), step, [0.0] * int(varies.sum()), [1.0] * int(varies.sum()),
+            generations.population, seed, "optimize",
         )  # fmt: skip
         made: list[Trial] = []
         for generation in range(generations.count):
@@ -224,20 +259,14 @@ class _Search:
         def again(some: Sequence[Trial], runs: int) -> list[Trial]:
             return self._made([(trial.shares, trial.motion) for trial in some], runs)
 
-        return prove(trials, self.goal, again, self.effort.test, self.permitted, self.confidence)
+        return prove(trials, self.goal, again, self.effort.test, self.permitted, self.confidence, self._holds)
 
-
-def spread(space: Space, count: int, seed: int) -> list[Array]:
-    """Shares (d,) that fill a space evenly; where freedoms were asked for, every second leaves them all at rest.
-
-    The optimum without the freedoms is one of the motions with them, so that they cannot be worse for being many.
-    """
-    with warnings.catch_warnings():
-        # Other counts than powers of two are only a little less even.
-        warnings.simplefilter("ignore", UserWarning)
-        generator = qmc.Sobol(len(space.variables), seed=np.random.default_rng(seed))  # pyright: ignore[reportCallIssue]
-        shares = generator.random(count)
-    neutral = space.neutral
-    has_plain = bool(np.isnan(neutral).any())
-    at_rest = (np.arange(count) % 2 == 1)[:, None] & np.isfinite(neutral)[None] & has_plain
-    return list(np.where(at_rest, neutral[None], shares))
+    def _holds(self, trial: Trial) -> bool:
+        """Whether a motion that passed its test reaches the goal, and does the same at a tenth of the step."""
+        if self.goal.fastest:
+            return True
+        if self.goal.deviation(trial.twist) > 1:
+            return False
+        self.runs += CONFIRMED
+        (fine,) = self.bench.try_motions([(trial.shares, trial.motion)], CONFIRMED, CONFIRMATION, finer=FINER)
+        return agree(fine, trial, self.goal)

@@ -36,6 +36,9 @@ RATIOS = (1 / 3, 1 / 2, 2 / 3, 1.0, 3 / 2, 2.0, 3.0)
 PLAIN: Mapping[str, Quantity] = {"frequency": FREQUENCY, "angle": PLATE_ANGLE, "stroke": PLATE_STROKE}
 """What always may vary."""
 
+REST = 0.3
+"""Share of an amplitude's range that stands for none, where the plate may do without it."""
+
 _RATIO = Quantity("", "", "1", above=0)
 # The slowest plate, and the least amplitudes, over the most that the machine can: far below where anything spins.
 _SLOWEST, _LEAST = 1 / 8, 1 / 30
@@ -62,6 +65,8 @@ class Variable:
         Value at which it changes nothing.
     freedom : str
         Which freedom it belongs to; none for what always varies.
+    rest : float
+        Share of the range below which it is 0: an amplitude that may be none at all, which no logarithm reaches.
     """
 
     name: str
@@ -72,9 +77,13 @@ class Variable:
     steps: tuple[float, ...] = ()
     neutral: float | None = None
     freedom: str = ""
+    rest: float = 0.0
 
     def at(self, share: float) -> float:
         """Value at a share of the range, 0 to 1."""
+        if share < self.rest:
+            return 0.0
+        share = (share - self.rest) / (1 - self.rest)
         if self.steps:
             return self.steps[min(int(share * len(self.steps)), len(self.steps) - 1)]
         if self.log:
@@ -83,11 +92,15 @@ class Variable:
 
     def share_of(self, value: float) -> float:
         """Share of the range at which a value lies."""
+        if self.rest and value == 0:
+            return self.rest / 2
         if self.steps:
             return (self.steps.index(value) + 0.5) / len(self.steps)
         if self.log:
-            return math.log(value / self.low) / math.log(self.high / self.low)
-        return (value - self.low) / (self.high - self.low)
+            share = math.log(value / self.low) / math.log(self.high / self.low)
+        else:
+            share = (value - self.low) / (self.high - self.low)
+        return self.rest + (1 - self.rest) * share
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,6 +193,7 @@ def space_of(
     free: Sequence[Freedom] = (),
     *,
     both_ways: bool = False,
+    may_rest: bool = False,
 ) -> Space:
     """Motions to choose from.
 
@@ -193,6 +207,9 @@ def space_of(
         Further freedoms (`FREEDOMS`).
     both_ways : bool
         Whether the rocking may be mirrored, which mirrors the spin.
+    may_rest : bool
+        Whether the plate may do without rocking or without shaking, where no range is told: what only shakes turns
+        nothing, whatever else varies.
 
     Raises
     ------
@@ -207,7 +224,8 @@ def space_of(
         if low == high:
             fixed[name] = low
         else:
-            variables.append(Variable(name, quantity, low, high, log=low > 0))
+            rest = REST if may_rest and name != "frequency" and name not in ranges else 0.0
+            variables.append(Variable(name, quantity, low, high, log=low > 0, rest=rest))
     if not variables and not free:
         raise InputError("frequency", "nothing that may vary, with frequency, angle and stroke given as one value each",
                          "a range for one of them, or --free", '--frequency "10:30 Hz"')  # fmt: skip
@@ -217,6 +235,20 @@ def space_of(
     for freedom in dict.fromkeys(free):
         variables += [replace(variable, freedom=freedom) for variable in _freed(freedom, machine, reach)]
     return Space(tuple(variables), fixed, base, machine)
+
+
+def freedoms_of(machine: Machine) -> tuple[Freedom, ...]:
+    """What may vary on a machine beside frequency and amplitudes, degrees of freedom among it."""
+    moves = dict(zip(("x", "y", "z", "rx", "ry", "rz"), machine.limits[0] > 0, strict=True))
+    free: list[Freedom] = []
+    if moves["x"] and moves["rx"]:
+        free.append("phase")
+    if moves["x"] or moves["rx"]:
+        free.append("harmonics")
+    if moves["rx"]:
+        free.append("offset")
+    further: tuple[Freedom, ...] = ("y", "z", "ry", "rz")
+    return (*free, *(axis for axis in further if moves[axis]))
 
 
 def _range(
