@@ -13,7 +13,6 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -282,6 +281,7 @@ def answers(files) -> dict[str, object]:
     from plategait.collection.collection import Outcome
     from plategait.collection.objects import Item
     from plategait.estimate.observations import Condition
+    from plategait.estimate.planning import Plan
     from plategait.estimate.result import estimate_parameters
     from plategait.model.presets import preset
     from plategait.optimize.optimize import optimize_motion
@@ -303,9 +303,8 @@ def answers(files) -> dict[str, object]:
     seen = track(files / "clip.mp4")
     estimate = estimate_parameters(files / "few.csv", cheese, noise=0.1, friction_ratio=0.53, fixed="natural_frequency",
                                    model_error=0)  # fmt: skip
-    plan = SimpleNamespace(condition=Condition(0.1, 0.003, 20.0), runs_off=0.0, needed=None, programme=(),
-                           sd_now=dict.fromkeys(estimate.posterior.unknowns.names, 1.0),
-                           sd_after=dict.fromkeys(estimate.posterior.unknowns.names, 0.5))  # fmt: skip
+    names = estimate.posterior.unknowns.names
+    plan = Plan(Condition(0.1, 0.003, 20.0), 0.0, dict.fromkeys(names, 1.0), dict.fromkeys(names, 0.5), (), None)
     told = {"summary": estimate.summary() | {"answered": True}, "fragment": "[sheet]\n", "failure": ""}
     return {
         "plategait.collection.collection.estimate_all": (Outcome(Item("few", (files / "few.csv",)), **told),),

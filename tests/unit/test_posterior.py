@@ -11,11 +11,14 @@ import pytest
 from scipy.stats import cauchy, norm
 
 from plategait.curve.protocol import measured_as
+from plategait.estimate import forecast as forecast_module
 from plategait.estimate import posterior as posterior_module
 from plategait.estimate import prediction
 from plategait.estimate import runs as runs_module
+from plategait.estimate.candidates import alike, reach_of
+from plategait.estimate.discrepancy import PRESUMED, presumed_discrepancy
 from plategait.estimate.emulator import RateEmulator, fit_run_off
-from plategait.estimate.forecast import MOST_MEASUREMENTS, Forecast, measurements_needed, programme
+from plategait.estimate.forecast import MOST_MEASUREMENTS, Forecast, forecast_of, measurements_needed, programme
 from plategait.estimate.goodness import goodness_of_fit
 from plategait.estimate.identifiability import marginal_of
 from plategait.estimate.likelihood import OUTLIER_SHARE, OUTLIER_SPREAD, Likelihood
@@ -349,6 +352,41 @@ def test_a_programme_is_each_time_the_best_after_those_before():
     # Were it to run off there for all but a tenth of the samples, the first would tell little.
     off = Forecast(conditions, values, outcome, np.ones_like(outcome), np.tile([0.1, 1.0, 1.0], (4000, 1)))
     assert programme(off, np.ones(2), 1)[0][0] == 1
+
+
+def test_a_motion_that_tells_nothing_the_second_time_is_proposed_once():
+    toy = replace(forecast([0.5, 2.0, 1.0], 1.0), once=True)
+    assert [i for i, _ in programme(toy, np.ones(1), 6)] == [1, 2, 0]
+    # All three leave 1/(1 + 4 + 1 + 1/4): no more can be had, however many are made.
+    assert measurements_needed(toy, np.ones(1), np.array([0.1]), seed=0) == (MOST_MEASUREMENTS,) * 3
+
+
+def test_what_the_model_may_be_off_is_noise_of_what_is_expected(monkeypatch):
+    """Measured motions are proposed again only where the model is right; else new ones, each read the less well."""
+    monkeypatch.setattr(forecast_module, "run_engine", linear_engine)
+    monkeypatch.setattr(forecast_module, "SAMPLES", 200)
+    posterior = sampled(linear_rates(TRUTH[None])[0], monkeypatch)
+    base = posterior.unknowns.base.motion
+    reach = reach_of(posterior.data.conditions, base, frequency=(10.0, 30.0))
+    measured = posterior.data.conditions[1]
+    reach = replace(reach, angle=((measured.angle, measured.angle),))
+    right = forecast_of(posterior, reach)
+    discrepancy = presumed_discrepancy(posterior.runs, 1.0)
+    likelihood = replace(posterior.likelihood, discrepancy=discrepancy)
+    off = forecast_of(replace(posterior, likelihood=likelihood), reach)
+    assert (right.once, off.once) == (False, True)
+    assert not any(alike(c, m) for c in off.conditions for m in posterior.data.conditions)
+    shared = [(right.conditions.index(c), i) for i, c in enumerate(off.conditions) if c in right.conditions]
+    for i, j in shared:
+        expected = np.hypot(right.sd[:, i], PRESUMED * right.outcome[:, i])
+        np.testing.assert_allclose(off.sd[:, j], expected)
+
+
+def test_motions_are_alike_that_nobody_can_set_apart():
+    one = Condition(0.05, 0.003, 16.78, height=-2.1e-3, phase=math.pi / 2)
+    assert alike(one, replace(one, height=-2.1e-3 + 1e-8, duration=3.0))
+    for name, change in (("angle", 2e-3), ("stroke", 1e-4), ("height", 1e-4), ("phase", 0.02), ("frequency", 0.05)):
+        assert not alike(one, replace(one, **{name: getattr(one, name) + change}))
 
 
 def test_as_many_measurements_are_needed_as_the_noise_asks_for():

@@ -76,7 +76,7 @@ def _print_plan(result: Estimate, plan: Plan) -> None:
     from plategait.estimate.planning import MOST_MEASUREMENTS
     from plategait.estimate.result import LABELS
 
-    print(f"measure next at {plan.condition.frequency:.2f} Hz with {plan.condition.text} "
+    print(f"measure next at {plan.text_of(plan.condition)} "
           f"(runs off with a probability of {100 * plan.runs_off:.0f} %)")  # fmt: skip
     for p in (m.parameter for m in result.marginals):
         now, after = plan.sd_now[p.name] / p.scale, plan.sd_after[p.name] / p.scale
@@ -90,4 +90,4 @@ def _print_plan(result: Estimate, plan: Plan) -> None:
         for condition, sd in plan.programme:
             left = ", ".join(f"{LABELS[p.name]} to {sd[p.name] / p.scale:.2g} {p.unit}".rstrip()
                              for p in (m.parameter for m in result.marginals[:2]))  # fmt: skip
-            print(f"  {condition.frequency:.2f} Hz with {condition.text} ({left})")
+            print(f"  {plan.text_of(condition)} ({left})")

@@ -96,7 +96,7 @@ def _each(
         if name == "sheet.thickness" and thickness_sd > 0:
             text = f"{text} ± {parameter.text_of(thickness_sd)}"
         if name == "motion.stroke":
-            text = " and ".join(parameter.text_of(stroke) for stroke in sorted({c.stroke for c in conditions}))
+            text = _listed([parameter.text_of(stroke) for stroke in sorted({c.stroke for c in conditions})])
         if name == "motion.ramp" and handling.ramp is None:
             text = f"not known, up to {parameter.text_of(SLOWEST_RAMP)}"
         if name in ("duration", "slip_limit"):
@@ -107,6 +107,11 @@ def _each(
         if unknown is not None:
             text = f"sought, {_reach(unknown, text)}"
         yield Assumption(name, label, value, parameter.unit, text, unknown is not None)
+
+
+def _listed(texts: Sequence[str]) -> str:
+    """Few of them each, of many the first and the last."""
+    return " and ".join(texts) if len(texts) <= 3 else f"{texts[0]} to {texts[-1]}"
 
 
 def _reach(unknown: Unknown, told: str) -> str:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plategait.errors import InputError
-from plategait.estimate.observations import Condition
+from plategait.estimate.observations import FREQUENCY_STEP, Condition
 from plategait.estimate.particles import stratified
 from plategait.model.machine import Machine
 from plategait.model.motion import PlateMotion
@@ -111,6 +111,16 @@ class Reach:
         usual = math.sqrt(USUAL_ACCELERATION / angle) / math.tau
         low, high = max(SPAN[0] * usual, self.frequency[0]), min(SPAN[1] * usual, self.frequency[1])
         return (low, high) if low < high else (max(self.frequency[0], 0.5 * self.frequency[1]), self.frequency[1])
+
+
+def alike(one: Condition, other: Condition) -> bool:
+    """Whether two motions differ by less than one can set."""
+    pairs = zip(_set(one), _set(other), (*STEPS, FREQUENCY_STEP), strict=True)
+    return all(abs(a - b) < 0.5 * step for a, b, step in pairs)
+
+
+def _set(c: Condition) -> tuple[float, ...]:
+    return c.angle, c.stroke, c.height, c.phase, c.frequency
 
 
 def _at(spans: tuple[Span, ...], u: float, step: float) -> float:

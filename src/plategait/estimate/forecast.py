@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.estimate.candidates import Reach
+from plategait.estimate.candidates import Reach, alike
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator, fit_rates, fit_run_off
 from plategait.estimate.likelihood import LEAST_NOISE
 from plategait.estimate.observations import Condition
@@ -41,8 +41,11 @@ class Forecast:
         Samples, SI.
     outcome, sd : (n, c, q) arrays
         What a measurement reads, and its noise: the spin rate, deg/s, then each observable that the data have, SI.
+        How far the model may be off is part of the noise.
     stays : (n, c) array
         Probability that the object stays on the plate.
+    once : bool
+        Whether a motion tells nothing more the second time, as the model is off by the same again.
     """
 
     conditions: tuple[Condition, ...]
@@ -50,6 +53,7 @@ class Forecast:
     outcome: Array
     sd: Array
     stays: Array
+    once: bool = False
 
     @cached_property
     def even(self) -> Array:
@@ -134,9 +138,28 @@ def forecast_of(
     median_noise = float(np.median(posterior.noise)) if noise is None else noise
     relative = np.array([median_noise if median_noise > 0 else USUAL_NOISE, *(r.relative for r in readings)])
     candidates = [*grid, *(c for a in amplitudes for c in _between(emulators, a, samples) if reach.allows(c))]
+    model = _model_error(posterior, samples, len(relative))
+    once = model is not None
+    if once:
+        seen = posterior.data.conditions
+        candidates = [c for c in candidates if not any(alike(c, other) for other in seen)] or candidates
     columns = [emulators.expect(c, samples, relative) for c in candidates]
     outcome, sd, stays = (np.stack([column[k] for column in columns], axis=1) for k in range(3))
-    return Forecast(tuple(candidates), posterior.unknowns.values(samples), outcome, sd, stays)
+    if model is not None:
+        sd = np.hypot(sd, model[:, None] * outcome)
+    return Forecast(tuple(candidates), posterior.unknowns.values(samples), outcome, sd, stays, once)
+
+
+def _model_error(posterior: Posterior, samples: Array, quantities: int) -> Array | None:
+    """How far the model may be off (n, q), relative, at motions like those measured; None where it is taken as right.
+
+    The amounts of its changes are common to all motions, their shapes unlike: each counts as a scatter by itself.
+    """
+    discrepancy = posterior.likelihood.discrepancy
+    if discrepancy is None:
+        return None
+    squares = np.sum(discrepancy.changes(samples) ** 2, axis=1) + discrepancy.own**2
+    return np.sqrt(np.mean(squares.reshape(len(samples), quantities, -1), axis=2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -213,14 +236,17 @@ def programme(forecast: Forecast, scale: Array, count: int) -> list[tuple[int, A
     # What a straight line leaves of a reading counts as noise of it.
     left = np.einsum("nc,ncq->cq", stays, (deviation - np.einsum("cqd,nd->ncq", slopes, values)) ** 2 + forecast.sd**2)
     probability, chosen = forecast.stays.mean(axis=0), []
-    covariance = prior
+    covariance, closed = prior, np.zeros(len(probability), dtype=bool)
     for _ in range(count):
         gain = slopes @ covariance  # (c, q, d)
         spread = gain @ slopes.transpose(0, 2, 1) + (left + 1e-300)[:, :, None] * np.eye(left.shape[1])
         told = gain.transpose(0, 2, 1) @ np.linalg.solve(spread, gain)
         after = covariance - probability[:, None, None] * told
-        best = int(np.argmin(np.sum(np.diagonal(after, axis1=1, axis2=2) / scale**2, axis=1)))
-        covariance = after[best]
+        if closed.all():
+            break
+        loss = np.sum(np.diagonal(after, axis1=1, axis2=2) / scale**2, axis=1)
+        best = int(np.argmin(np.where(closed, math.inf, loss)))
+        covariance, closed[best] = after[best], forecast.once
         chosen.append((best, np.diag(covariance).copy()))
     return chosen
 
@@ -245,6 +271,7 @@ def measurements_needed(forecast: Forecast, scale: Array, goals: Array, seed: in
 def _future(forecast: Forecast, scale: Array, goals: Array, generator: np.random.Generator) -> int:
     """Measurements that one future takes, its truth one of the samples."""
     truth, weight = int(generator.integers(len(forecast.values))), forecast.even
+    closed = np.zeros(len(forecast.conditions), dtype=bool)
     for count in range(MOST_MEASUREMENTS):
         sd = np.sqrt(forecast.variances(weight))
         if (sd <= goals).all():
@@ -252,6 +279,9 @@ def _future(forecast: Forecast, scale: Array, goals: Array, generator: np.random
         if count and 1 / np.sum(weight**2) < LEAST_EFFECTIVE:
             # Too few samples left to go on: from here the spread falls with the root of the number.
             return min(MOST_MEASUREMENTS, math.ceil(count * float(np.max(sd / goals)) ** 2))
-        best = int(np.argmin(np.sum(forecast.expected_variances(weight) / scale**2, axis=1)))
-        weight = forecast.measured(weight, best, truth, generator)
+        if closed.all():
+            break
+        loss = np.sum(forecast.expected_variances(weight) / scale**2, axis=1)
+        best = int(np.argmin(np.where(closed, math.inf, loss)))
+        weight, closed[best] = forecast.measured(weight, best, truth, generator), forecast.once
     return MOST_MEASUREMENTS

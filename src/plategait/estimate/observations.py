@@ -81,10 +81,15 @@ class Condition:
     @property
     def text(self) -> str:
         """For people, the frequency left out: "A_p = 3 deg, B_p = 3 mm"."""
-        told = f"A_p = {math.degrees(self.angle):.3g} deg, B_p = {1e3 * self.stroke:.3g} mm"
-        if self.height:
-            told += f", the plate {1e3 * self.height:+.3g} mm"
-        return told + (f", phase {math.degrees(self.phase):.3g} deg" if self.phase else "")
+        return self._told(f"the plate {1e3 * self.height:+.3g} mm" if self.height else "")
+
+    def text_at(self, height: float) -> str:
+        """The same with the plate's height told, where the scenario has it at `height`, m."""
+        return self._told(f"height {1e3 * (height + self.height):.3g} mm")
+
+    def _told(self, height: str) -> str:
+        parts = [f"A_p = {math.degrees(self.angle):.3g} deg", f"B_p = {1e3 * self.stroke:.3g} mm", height]
+        return ", ".join(filter(None, [*parts, f"phase {math.degrees(self.phase):.3g} deg" if self.phase else ""]))
 
 
 @dataclass(frozen=True, eq=False)

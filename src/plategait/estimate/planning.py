@@ -52,6 +52,8 @@ class Plan:
     programme : tuple of (Condition, dict)
         The next few measurements where all are to be made before the next estimate, each the best after those before
         it, with the standard deviation of each parameter to expect after it, SI.
+    height : float
+        Of the plate over its axis in the scenario, m, which the motions' heights are told against.
     """
 
     condition: Condition
@@ -61,21 +63,28 @@ class Plan:
     runners_up: tuple[tuple[Condition, float], ...]
     needed: tuple[int, int, int] | None
     programme: tuple[tuple[Condition, dict[str, float]], ...] = ()
+    height: float = 0.0
+
+    def text_of(self, condition: Condition) -> str:
+        """A motion for people, its height told where not all that are proposed have the scenario's."""
+        proposed = [self.condition, *(c for c, _ in self.programme)]
+        told = condition.text_at(self.height) if any(c.height for c in proposed) else condition.text
+        return f"{condition.frequency:.2f} Hz with {told}"
 
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`."""
         return {
-            **_numbers(self.condition),
+            **self._numbers(self.condition),
             "probability_of_run_off": self.runs_off, "sd_now": self.sd_now, "sd_after": self.sd_after,
             "needed": list(self.needed) if self.needed else None, "needed_at_most_shown": MOST_MEASUREMENTS,
-            "programme": [{**_numbers(condition), "sd_after": sd} for condition, sd in self.programme],
+            "programme": [{**self._numbers(condition), "sd_after": sd} for condition, sd in self.programme],
         }  # fmt: skip
 
-
-def _numbers(c: Condition) -> dict[str, float]:
-    """Plate motion in plain numbers."""
-    return {"frequency_hz": c.frequency, "angle_deg": math.degrees(c.angle), "stroke_mm": 1e3 * c.stroke,
-            "height_change_mm": 1e3 * c.height, "phase_deg": math.degrees(c.phase)}  # fmt: skip
+    def _numbers(self, c: Condition) -> dict[str, float]:
+        """Plate motion in plain numbers."""
+        return {"frequency_hz": c.frequency, "angle_deg": math.degrees(c.angle), "stroke_mm": 1e3 * c.stroke,
+                "height_mm": 1e3 * (self.height + c.height), "height_change_mm": 1e3 * c.height,
+                "phase_deg": math.degrees(c.phase)}  # fmt: skip
 
 
 def next_measurement(
@@ -131,4 +140,5 @@ def next_measurement(
             (forecast.conditions[i], dict(zip(names, np.sqrt(np.maximum(variance, 0.0)).tolist(), strict=True)))
             for i, variance in programme(forecast, scale, PROGRAMME)
         ),
+        height=posterior.unknowns.base.motion.height,
     )
