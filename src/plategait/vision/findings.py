@@ -118,6 +118,19 @@ def outline_middle(seen: Array, rims: Array) -> tuple[Array, Array]:
     return np.where(enough[:, None], middle, math.nan), np.where(enough, area, math.nan)
 
 
+def whereabouts(
+    time: Array, seen: Array, sure: Flags, rims: Array, plate: tuple[float, float]
+) -> tuple[Array, Array, Departure]:
+    """Where the object's middle is (n, 2), m, its area (n,), m², and whether and when it left; arguments as below."""
+    middle, area = outline_middle(seen, rims)
+    known = np.isfinite(area)
+    # What the edge says of the middle is taken where it says it; a marker stays off by what it was off.
+    off = np.median((middle - seen)[known & sure], axis=0) if (known & sure).any() else np.zeros(2)
+    place = np.where(known[:, None], middle, np.where(sure[:, None], seen + off, math.nan))
+    size = float(np.sqrt(np.nanmedian(area[known & sure]) / math.pi)) if (known & sure).any() else 0.0
+    return place, area, departure_of(time, place, size, plate)
+
+
 def findings(
     time: Array,
     seen: Array,
@@ -158,13 +171,7 @@ def findings(
     no_edge : str
         Why the edge was not looked for.
     """
-    middle, area = outline_middle(seen, rims)
-    known = np.isfinite(area)
-    # What the edge says of the middle is taken where it says it; a marker stays off by what it was off.
-    off = np.median((middle - seen)[known & sure], axis=0) if (known & sure).any() else np.zeros(2)
-    place = np.where(known[:, None], middle, np.where(sure[:, None], seen + off, math.nan))
-    size = float(np.sqrt(np.nanmedian(area[known & sure]) / math.pi)) if (known & sure).any() else 0.0
-    departure = departure_of(time, place, size, plate)
+    place, area, departure = whereabouts(time, seen, sure, rims, plate)
     stays = sure & ~(time > departure.time)
     form, no_form = None, no_edge
     if not no_edge:

@@ -57,6 +57,11 @@ class PoseSeries:
         return cls(time, x, y, angle, spacing, reason, rim)
 
     @property
+    def seen(self) -> Array:
+        """(n, 2) the object's middle in plate coordinates, m; NaN where it was not seen."""
+        return np.stack([self.x, self.y], axis=1)
+
+    @property
     def sure(self) -> Flags:
         """(n,) whether the orientation of a frame is sure."""
         return np.array([not r for r in self.reason]) & np.isfinite(self.angle)

@@ -15,7 +15,7 @@ from plategait.arrays import Array, Flags
 from plategait.camera.fiducials import CENTRE_MARKER, RIM_MARKER
 from plategait.files.plain import plain
 from plategait.vision.departure import hidden_after
-from plategait.vision.findings import Findings, findings
+from plategait.vision.findings import Findings, findings, whereabouts
 from plategait.vision.frames import Frame, open_video, repeats
 from plategait.vision.lens import scaled_matrix
 from plategait.vision.object.pose import Pose
@@ -186,20 +186,16 @@ def track(
     eye = plate.eye if method == "markers" else None
     wave = swing if math.isfinite(swing) else None
 
-    def found() -> Findings:
-        return findings(
-            time, np.stack([poses.x, poses.y], axis=1), poses.angle, poses.sure, poses.rim, eye=plate.eye, swing=wave,
-            fps=fps, plate=setup.plate_size, pixel=reader.grid.pitch, marked=method == "markers",
-            no_edge=reader.object.no_edge,
-        )  # fmt: skip
-
-    gone = found().departure
+    _, _, gone = whereabouts(time, poses.seen, poses.sure, poses.rim, setup.plate_size)
     poses.leave(gone)
     spin = poses.spin(symmetry, fps, wave, eye, notes)
     if method != "markers":
         spin = _turning(spin, float(np.ptp(time)), method, symmetry)
     placed, last = poses.sure, hidden_after(time, poses.sure)
-    seen = found()
+    seen = findings(
+        time, poses.seen, poses.angle, poses.sure, poses.rim, eye=plate.eye, swing=wave, fps=fps,
+        plate=setup.plate_size, pixel=reader.grid.pitch, marked=method == "markers", no_edge=reader.object.no_edge,
+    )  # fmt: skip
     if math.isnan(spin.rate):
         left = f"{gone.kind} at {gone.time:.2f} s: " if gone.kind else ""
         spin = replace(spin, reason=left + spin.reason + _mostly(poses.reason))

@@ -23,6 +23,8 @@ USUAL_SHAPE, USUAL_LIFT, USUAL_THICKNESS = 0.15, 0.15, (0.06, 0.08)
 # Frames that a fit uses, and the fewest.
 MOST_FRAMES, FEWEST_FRAMES = 240, 12
 ROUNDS, HUBER = 8, 4.0
+# Steps of the unknowns, in their standard deviations were all others known, that end the rounds.
+SETTLED = 0.02
 # Neighbouring rays and frames err alike: so many count as one.
 ALIKE = 6
 # What an edge's place is known to in all rays alike, px, and lengths on the plate, as a share.
@@ -191,6 +193,8 @@ def _solve(model: _Model, rims: Array, mean: Array, sd: Array) -> Array:
         if not model.marked:
             model.shift = model.shift + moved - np.einsum("ikm,m->ik", along, step)
         model.unknowns = model.unknowns + step
+        if (np.abs(step) < SETTLED / np.sqrt(np.diag(normal))).all():
+            break
         weight = seen * np.minimum(1.0, HUBER * noise / np.maximum(np.abs(residual), 1e-9))
     return np.asarray(np.linalg.inv(normal), dtype=float)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -56,6 +57,13 @@ class RimAppearance:
     scatter: Array
     apart: float
     radius: float
+
+    @cached_property
+    def channels(self) -> Array:
+        """(4, 4) from Y, U, V and 1 to the likeness to the object, and to how far a colour is off the plate."""
+        likeness = np.append(self.axis, -self.level)
+        off = np.column_stack([self.scatter, -self.scatter @ self.plate]) / self.apart
+        return np.concatenate([likeness[None], off])
 
 
 def learn_rim(
@@ -149,15 +157,14 @@ def find_rim(appearance: RimAppearance, patch: Picture, grid: Grid, allowed: Pic
     steps = int(FINER * reach / grid.pitch)
     column, row = (float(v) for v in grid.pixels(middle))
     flags = cv2.WARP_POLAR_LINEAR | cv2.WARP_FILL_OUTLIERS | cv2.INTER_LINEAR
-    seen, open_ = (
-        cv2.warpPolar(p, (steps, RAYS), (column, row), reach / grid.pitch, flags).astype(float)
-        for p in (patch, allowed)
-    )
-    # Rows of a picture run against y.
-    seen, open_ = np.roll(seen[::-1], 1, axis=0), np.roll(open_[::-1], 1, axis=0) > 0.99
-    likeness = seen @ appearance.axis - appearance.level
-    # Marks and toppings are as unlike the plate as the object is. What is covered speaks for neither.
-    unlike = np.linalg.norm((seen - appearance.plate) @ appearance.scatter.T, axis=-1) / appearance.apart
+    seen, open_ = (cv2.warpPolar(p, (steps, RAYS), (column, row), reach / grid.pitch, flags) for p in (patch, allowed))
+    around = -np.arange(RAYS) % RAYS  # rows of a picture run against y
+    open_ = open_[around] > 0
+    # Likeness to the object, and how far from the plate's colour. Marks and toppings are as unlike the plate as the
+    # object is. What is covered speaks for neither.
+    told = cv2.transform(seen[around].astype(np.float32), appearance.channels)
+    likeness, off = told[..., 0].astype(float), told[..., 1:]
+    unlike = np.sqrt(np.einsum("rsk,rsk->rs", off, off))
     votes = np.clip(unlike - 1, -1, 1) * open_
     first = int(steps * NEAREST / FURTHEST)
     edge = first + np.argmax(np.cumsum(votes, axis=1)[:, first:], axis=1) + 1

@@ -24,7 +24,7 @@ GOLDEN = (math.sqrt(5) - 1) / 2
 # Parts of a picture smaller than this are not searched, px.
 SMALLEST_MARKER = 16
 # A fiducial that is this much less sharp than usual is blurred; frames between looks at how sharp they are.
-BLURRED, SHARP_EVERY = 0.6, 5
+BLURRED, SHARP_EVERY = 0.6, 16
 # One whose edges reach over its side over this can no longer be read: a square of its pattern is a sixth, and sharp
 # edges reach over three pixels.
 BLURRED_OVER = 4.0
@@ -109,7 +109,7 @@ class FiducialPlate:
             self._last_corners[k] = corners
             if k not in self._sharp or (self._frames + k) % SHARP_EVERY == 0:
                 sharp = sharpness(_cut(luma, np.array([low, high]), 0.0))
-                self._sharp[k] = max(0.98 * self._sharp.get(k, 0.0), sharp)
+                self._sharp[k] = max(0.94 * self._sharp.get(k, 0.0), sharp)
 
     def _is_blurred(self, luma: Picture) -> bool:
         """Whether what is seen where fiducials were is too soft to be read, or much softer than at their best."""
