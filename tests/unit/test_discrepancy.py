@@ -14,8 +14,9 @@ from plategait.errors import InputError
 from plategait.estimate import discrepancy as discrepancy_module
 from plategait.estimate.discrepancy import (
     ALTERNATIVES,
-    OWN,
     OWN_RUN_OFF,
+    OWN_SLIDING,
+    OWN_WALKING,
     PRESUMED,
     Discrepancy,
     measure_discrepancy,
@@ -82,11 +83,12 @@ def test_how_far_the_run_off_may_be_off():
 
 def test_before_any_other_model_is_run_a_scatter_is_presumed():
     found = presumed_discrepancy(runs(U), 0.5)
-    np.testing.assert_allclose(found.own, 0.5 * PRESUMED)
+    own = np.array([OWN_SLIDING, *[OWN_WALKING] * 5])  # 14 Hz at 0.05 rad is slow sliding, 16 Hz no more
+    np.testing.assert_allclose(found.own, 0.5 * np.hypot(own, PRESUMED))
     assert found.run_off(AMPLITUDE) == pytest.approx(0.5 * OWN_RUN_OFF * 23.0)
     # Without a shape there is no amount, and each rate is off by itself: a normal of both spreads.
     u = np.array([[0.4, 0.6]])
-    rate, wide = rates(u)[0] + 3.0, math.hypot(SD, 0.5 * PRESUMED * rates(u)[0, 0])
+    rate, wide = rates(u)[0] + 3.0, math.hypot(SD, float(found.own[0]) * rates(u)[0, 0])
     deviation, amounts = likelihood(rate, found).deviations(u)
     assert deviation[0, 0] == pytest.approx(3.0 / wide)
     assert amounts.shape == (1, 0)
@@ -145,8 +147,9 @@ def test_what_no_alternative_explains_is_scatter(monkeypatch):
     jagged = runs(U, 0.2 * generator.normal(size=(24, 6)))
     found = measure_discrepancy(lambda _: jagged, runs(U), 1.0)
     # Two alternatives of 20 % each, learnt of 24 pairs: to their own 15 %.
-    np.testing.assert_allclose(found.own, math.hypot(0.2, 0.2, OWN), rtol=0.35)
-    monkeypatch.setattr(discrepancy_module, "OWN", 0.0)
+    np.testing.assert_allclose(found.own, math.hypot(0.2, 0.2, OWN_WALKING), rtol=0.35)
+    for name in ("OWN_SLIDING", "OWN_WALKING"):
+        monkeypatch.setattr(discrepancy_module, name, 0.0)
     assert measure_discrepancy(lambda _: runs(U), runs(U), 1.0).own.max() < 1e-12
 
 

@@ -16,7 +16,7 @@ from plategait.estimate import posterior as posterior_module
 from plategait.estimate import prediction
 from plategait.estimate import runs as runs_module
 from plategait.estimate.candidates import alike, reach_of
-from plategait.estimate.discrepancy import PRESUMED, presumed_discrepancy
+from plategait.estimate.discrepancy import PRESUMED, own_scatter, presumed_discrepancy
 from plategait.estimate.emulator import RateEmulator, fit_run_off
 from plategait.estimate.forecast import MOST_MEASUREMENTS, Forecast, forecast_of, measurements_needed, programme
 from plategait.estimate.goodness import goodness_of_fit
@@ -376,9 +376,11 @@ def test_what_the_model_may_be_off_is_noise_of_what_is_expected(monkeypatch):
     off = forecast_of(replace(posterior, likelihood=likelihood), reach)
     assert (right.once, off.once) == (False, True)
     assert not any(alike(c, m) for c in off.conditions for m in posterior.data.conditions)
+    # Of a motion like those measured: the mean square of what is presumed at each.
+    off_by = math.sqrt(np.mean([PRESUMED**2 + own_scatter(c) ** 2 for c in posterior.data.conditions]))
     shared = [(right.conditions.index(c), i) for i, c in enumerate(off.conditions) if c in right.conditions]
     for i, j in shared:
-        expected = np.hypot(right.sd[:, i], PRESUMED * right.outcome[:, i])
+        expected = np.hypot(right.sd[:, i], off_by * right.outcome[:, i])
         np.testing.assert_allclose(off.sd[:, j], expected)
 
 

@@ -15,18 +15,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
+from plategait.estimate.candidates import USUAL_ACCELERATION
 from plategait.estimate.observations import Condition
 from plategait.estimate.runs import EngineRuns
 from plategait.model.scenario import Scenario
 
 Change = Callable[[Scenario], Scenario]
 
-OWN = 0.03
-"""Relative scatter of the rates that no alternative gives: what rigid tiles are off by, and the step."""
+OWN_SLIDING, OWN_WALKING = 0.02, 0.055
+"""Relative scatter of the rates that no alternative gives, of slow sliding and beyond: what rigid tiles are off by."""
+SLIDES_TO = 0.35
+"""Share of the usual run-off's angular acceleration up to which an object slides slowly."""
 OWN_RUN_OFF = 0.02
 """The same of the run-off's frequency."""
-PRESUMED = 0.05
-"""Relative scatter of the rates before any other model is run: what torsion and `OWN` mostly come to together."""
+PRESUMED = 0.04
+"""Relative scatter of the rates that stands for the other models before any is run: what torsion mostly does."""
 # Pairs of runs that stayed, short of which a change is taken from the frequency beside.
 LEAST_PAIRS = 6
 # Rates near 0 change by any factor, which says nothing.
@@ -87,7 +90,7 @@ class Discrepancy:
     centre : (d,) array
         Parameters about which the change was learnt, as shares of their priors.
     scatter : (c,) array
-        What other models change beyond that at each condition, relative: the shapes' own errors, and `OWN`.
+        What other models change beyond that at each condition, relative: the shapes' own errors, and `own_scatter`.
     run_offs : dict
         By amplitude, how far the run-off's frequency may be off, Hz.
     share : float
@@ -137,7 +140,7 @@ def measure_discrepancy(
     """
     others = [run(alternative.applied) for alternative in alternatives]
     coefficients, errors = map(np.stack, zip(*(_change(own, other) for other in others), strict=True))
-    scatter = np.sqrt(OWN**2 + np.sum(errors**2, axis=0))
+    scatter = np.sqrt(_own(own) ** 2 + np.sum(errors**2, axis=0))
     amplitudes = dict.fromkeys(c.amplitude for c in own.conditions)
     run_offs = {a: math.hypot(*(_shift(own, other, a) for other in others), _own_run_off(own, a)) for a in amplitudes}
     return Discrepancy(alternatives, coefficients, own.u.mean(axis=0), scatter, run_offs, share)
@@ -146,9 +149,21 @@ def measure_discrepancy(
 def presumed_discrepancy(own: EngineRuns, share: float) -> Discrepancy:
     """What to allow for while it is not yet known where the data are likely: a scatter of no shape."""
     amplitudes = dict.fromkeys(c.amplitude for c in own.conditions)
-    columns = own.columns().shape[1]
-    return Discrepancy((), np.zeros((0, own.u.shape[1] + 1, columns)), own.u.mean(axis=0), np.full(columns, PRESUMED),
+    scatter = np.hypot(_own(own), PRESUMED)
+    return Discrepancy((), np.zeros((0, own.u.shape[1] + 1, len(scatter))), own.u.mean(axis=0), scatter,
                        {a: _own_run_off(own, a) for a in amplitudes}, share)  # fmt: skip
+
+
+def own_scatter(condition: Condition) -> float:
+    """Relative scatter of the rate under a motion that no alternative gives: models differ more in how it walks."""
+    acceleration = condition.angle * (math.tau * condition.frequency) ** 2
+    return OWN_SLIDING if acceleration < SLIDES_TO * USUAL_ACCELERATION else OWN_WALKING
+
+
+def _own(runs: EngineRuns) -> Array:
+    """(c,) the same of each column of the runs."""
+    each = np.array([own_scatter(c) for c in runs.conditions])
+    return np.tile(each, runs.columns().shape[1] // len(each))
 
 
 def _terms(off: Array) -> Array:
