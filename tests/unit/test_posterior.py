@@ -242,6 +242,22 @@ def test_a_reading_that_cannot_be_is_named_with_what_it_is_of(monkeypatch):
     assert not goodness.outliers  # the rate there is sound
 
 
+def test_a_walker_that_begins_on_a_place_of_no_weight_does_not_stay_there():
+    """Two peaks as narrow as films make them, one of them e^-100 as high: all samples are of the other."""
+
+    def peaks(u):
+        high, low = (-0.5 * np.sum(((u - at) / 0.002) ** 2, axis=1) for at in (0.5, 0.1))
+        return np.logaddexp(high, low - 100)
+
+    generator = np.random.default_rng(0)
+    at = np.concatenate([generator.normal(0.5, 0.002, (200, 2)), generator.normal(0.1, 0.002, (200, 2))])
+    # Particles that do not tell the two apart: half of the walkers begin on either.
+    latest = SimpleNamespace(particles=Particles(at, np.zeros(400)), likelihood=peaks)
+    samples = posterior_module._sample(latest, Effort(), generator)
+    assert np.abs(samples - 0.5).max() < 8 * 0.002
+    np.testing.assert_allclose(samples.std(axis=0), 0.002, rtol=0.15)
+
+
 # Engine
 
 

@@ -33,6 +33,8 @@ Progress = Callable[[float], object]
 
 # A run-off that a round leaves at least this share as wide is as sharp as it gets.
 NO_SHARPER = 0.8
+# Log posterior below the best at which a walker has strayed: one in a million of normal ones in six dimensions.
+STRAYED = 20.0
 # Relative noise with which the parameter sets that other models run too are told from the rest.
 ROUGHLY = 0.3
 
@@ -69,8 +71,8 @@ class Effort:
     near: float = 8.0
     model_sets: int = 16
     walkers: int = 96
-    steps: int = 300
-    burn_in: int = 100
+    steps: int = 400
+    burn_in: int = 200
     thin: int = 5
 
     def rounds(self, dimensions: int) -> tuple[int, int]:
@@ -283,5 +285,13 @@ def _sample(latest: _Round, effort: Effort, generator: np.random.Generator) -> A
     )
     # The sampler keeps a generator of the old kind; it is given its seed through a state.
     sampler.random_state = np.random.RandomState(generator.integers(2**31)).get_state()
-    sampler.run_mcmc(start, effort.steps)
-    return np.asarray(sampler.get_chain(discard=effort.burn_in, thin=effort.thin, flat=True))
+    begun = sampler.run_mcmc(start, effort.burn_in)
+    assert begun is not None
+    # A walker far below the best sits on a place of no weight, which it may not leave: it goes on from another's.
+    score, places = np.asarray(begun.log_prob), np.asarray(begun.coords).copy()
+    strayed = score < score.max() - STRAYED
+    others = generator.choice(np.flatnonzero(~strayed), int(strayed.sum()))
+    places[strayed] = folded(places[others] + generator.normal(0, 1e-5, (len(others), places.shape[1])))
+    sampler.reset()
+    sampler.run_mcmc(places, effort.steps - effort.burn_in, skip_initial_state_check=True)
+    return np.asarray(sampler.get_chain(thin=effort.thin, flat=True))
