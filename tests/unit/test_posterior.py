@@ -50,7 +50,7 @@ def linear_rates(u) -> np.ndarray:
 
 
 def linear_engine(
-    unknowns, u, conditions, *, handling=None, observables=(), changed=None, seed=0, progress=None
+    unknowns, u, conditions, *, handling=None, observables=(), changed=None, seed=0, threads=None, progress=None
 ) -> EngineRuns:
     where = [round(c.frequency - 14) % len(CONDITIONS) for c in conditions]
     return EngineRuns(u, tuple(conditions), linear_rates(u)[:, where], np.zeros((len(u), len(conditions)), bool))
@@ -200,7 +200,7 @@ BENDS = np.random.default_rng(8).uniform(-0.1, 0.1, (len(CONDITIONS), 2))
 
 
 def bending_engine(
-    unknowns, u, conditions, *, handling=None, observables=(), changed=None, seed=0, progress=None
+    unknowns, u, conditions, *, handling=None, observables=(), changed=None, seed=0, threads=None, progress=None
 ) -> EngineRuns:
     """Rates as those of the linear engine, and bending angles that are linear too."""
     assert list(observables) == ["bending_amplitude"]
@@ -302,7 +302,7 @@ def test_predictions_span_a_little_more_than_was_measured(monkeypatch):
 
 
 def test_motions_that_make_no_curve_are_predicted_as_they_were_measured(monkeypatch):
-    def engine(unknowns, u, conditions, *, handling=None, observables=(), seed=0, progress=None):
+    def engine(unknowns, u, conditions, *, handling=None, observables=(), seed=0, threads=None, progress=None):
         return EngineRuns(
             u, tuple(conditions), np.ones((len(u), len(conditions))), np.zeros((len(u), len(conditions)), bool)
         )
