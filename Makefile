@@ -60,7 +60,7 @@ lint: .venv/installed-lint
 	$(BIN)/pyright --threads 2
 	$(BIN)/lint-imports
 
-bench: .venv/installed
+bench: .venv/installed-test
 	$(BIN)/python -m benchmarks
 
 .venv/installed-peers: .venv/installed

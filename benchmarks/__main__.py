@@ -16,7 +16,7 @@ from statistics import median
 
 import numpy as np
 
-from benchmarks import sessions
+from benchmarks import environment, sessions
 from plategait.engine import cpu
 from plategait.engine.recording import RunRequest
 from plategait.model.outline import Disk
@@ -105,6 +105,12 @@ def session_throughput() -> dict[str, float]:
     return {name: median(each[name] for each in taken) for name in taken[0]}
 
 
+def environment_throughput() -> dict[str, float]:
+    """Environment steps a second of 64 lanes, bare and in the vectorised environment."""
+    taken = [environment.ways() for _ in range(REPEATS)]
+    return {name: median(each[name] for each in taken) for name in taken[0]}
+
+
 def command_times() -> dict[str, float]:
     """Wall seconds of whole commands, from typing to the last line."""
     command = str(Path(sys.executable).with_name("plategait"))
@@ -131,12 +137,14 @@ def command_times() -> dict[str, float]:
 def main() -> None:
     """Measure and print."""
     np.seterr(all="ignore")
-    rates, pieces, costs, commands = throughput(), session_throughput(), scaling(), command_times()
+    rates, pieces, lanes = throughput(), session_throughput(), environment_throughput()
+    costs, commands = scaling(), command_times()
     machine = {"machine": platform.machine(), "cores": cpu.core_count(), "instruction_sets": cpu.instruction_sets()}
     if "--json" in sys.argv:
         measured = {
             "simulated_s_per_s": rates,
             "session_simulated_s_per_s": pieces,
+            "environment_steps_per_s": lanes,
             "ns_per_step_run_node": costs,
             "seconds": commands,
         }
@@ -154,6 +162,11 @@ def main() -> None:
     for name, rate in pieces.items():
         print(f"  {name:55} {rate:14.0f} {rate / whole:14.2f}")
     print(f"  target {sessions.TARGET:.2f} in pieces\n")
+    whole = next(iter(lanes.values()))
+    print(f"{environment.LANES} lanes of the environment, 60 actions a second            steps per s    ratio")
+    for name, rate in lanes.items():
+        print(f"  {name:55} {rate:14.0f} {rate / whole:14.2f}")
+    print(f"  target {environment.TARGET:.2f}\n")
     print("one core, 16 runs side by side                            ns per step, run and node")
     smallest = next(iter(costs.values()))
     for n, cost in costs.items():

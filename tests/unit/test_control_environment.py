@@ -171,6 +171,16 @@ def test_what_varies_differs_from_episode_to_episode_and_goes_by_the_seed():
     assert first.replace() == first, "as valid as any"
 
 
+def test_starts_and_goals_lie_within_reach():
+    vector = PoseVectorEnv(64, reach=("5 mm", "30 mm"))
+    _, infos = vector.reset(seed=0)
+    for poses in (infos["pose"], infos["goal"]):
+        farthest = np.abs(poses).max(axis=0)
+        assert (farthest <= [0.005, 0.03, math.pi]).all()
+        assert (farthest >= [0.0045, 0.027, 2.9]).all()  # 64 draws: beyond nine tenths but for a chance of 0.1 %
+    assert PoseOptions(reach="20 mm").reach == (0.02, 0.02)
+
+
 def test_pictures_show_the_goal_and_the_sheet():
     vector = PoseVectorEnv(2, objects=[CHEESE, STRIP], render_mode="rgb_array", size=(320, 240))
     vector.reset(seed=1)

@@ -87,8 +87,9 @@ class PoseOptions(Model):
     ramp: Annotated[float, _RAMP] = Field(default=0.05, description="in which the drive goes over to the next motion")
     rate: Annotated[float, _RATE] = Field(default=60.0, description="actions per second")
     camera: Camera = Field(default_factory=Camera, description="what sees the sheet")
-    reach: Length = Field(
-        default=0.04, description="starts and goals lie so far from the plate's middle, at most, each way"
+    reach: tuple[Length, Length] = Field(
+        default=(0.04, 0.04),
+        description="starts and goals lie so far from the plate's middle, at most, along the bar and across it",
     )
     position_tolerance: Length = Field(default=0.003, description="how near to the goal is there")
     angle_tolerance: Annotated[float, _TURN] = Field(
@@ -109,6 +110,11 @@ class PoseOptions(Model):
     @classmethod
     def _as_machine(cls, value: Any) -> Any:
         return machine_of(value) if isinstance(value, (str, Path)) else value
+
+    @field_validator("reach", mode="before")
+    @classmethod
+    def _as_pair(cls, value: Any) -> Any:
+        return value if isinstance(value, (tuple, list)) else (value, value)
 
     @field_validator("free", mode="before")
     @classmethod

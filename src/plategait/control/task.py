@@ -99,7 +99,7 @@ class PoseTask:
         for lane, generator in generators.items():
             drawn, shares = generator.uniform(-1.0, 1.0, (2, 3)), generator.random(4).tolist()
             seeds.append(int(generator.integers(2**31)))
-            drawn *= (self.options.reach, self.options.reach, math.pi)
+            drawn *= (*self.options.reach, math.pi)
             poses = {"start": drawn[0], "goal": drawn[1], **told}
             start, self.goal[lane] = (np.broadcast_to(poses[name], self.goal.shape)[lane] for name in ("start", "goal"))
             scenario = self.options.scenario(lane, start, shares)

@@ -85,6 +85,8 @@ class Batch:
         self._packed: Numbers | None = None
         self._rows: Rows = {}
         self._seen: tuple[State, list[float]] | None = None
+        # When what no longer matters was last dropped from each course.
+        self._trimmed = [-1.0] * len(runs)
         self.state = self._start()
 
     def _start(self) -> State:
@@ -101,6 +103,7 @@ class Batch:
         other = Batch.__new__(Batch)
         other.__dict__.update(self.__dict__)
         other.runs, other.courses = list(self.runs), list(self.courses)
+        other._trimmed = list(self._trimmed)
         other.stride, other._thinning = self.stride.copy(), self._thinning.copy()
         other._since_sample, other._since_time = self._since_sample.copy(), self._since_time.copy()
         return other
@@ -120,6 +123,7 @@ class Batch:
     def change(self, j: int, motion: PlateMotion, duration: float) -> None:
         """Let the plate of a run go over to another motion from now on, within a duration, s."""
         self.courses[j] = gone_over(self.courses[j], motion, self._now[j], duration)
+        self._trimmed[j] = self._now[j]
         self._packed = None
         if self.runs[j].sample_interval:
             return
@@ -133,7 +137,7 @@ class Batch:
     def reset(self, j: int, run: RunRequest) -> None:
         """Let a run start anew, as another of the same lattice."""
         self.runs[j], self.courses[j] = run, course_of(run.scenario.motion)
-        self.stride[j], self._thinning[j] = run.stride, run.thinning
+        self.stride[j], self._thinning[j], self._trimmed[j] = run.stride, run.thinning, -1.0
         self._since_sample[j], self._since_time[j] = 0, 0.0
         row = parameters_of(run.scenario)
         self._parameters, self.dt = self._parameters.copy(), self.dt.copy()
@@ -223,7 +227,9 @@ class Batch:
             # Further than is needed now, or every piece would make them anew.
             self._tabulated, self._packed = np.maximum(_AHEAD * reached, self._tabulated), None
         for j, course in enumerate(self.courses):
-            if len(course) > 1 and (needed := still_needed(course, time[j])) is not course:
+            if len(course) == 1 or self._trimmed[j] == time[j]:
+                continue
+            if (needed := still_needed(course, time[j])) is not course:
                 self.courses[j], self._packed = needed, None
         if self._packed is None:
             told = Told([r.scenario for r in self.runs], self.courses, self._tabulated)

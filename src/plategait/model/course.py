@@ -15,8 +15,8 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.model.motion import AXES, SHORTEST_RAMP, PlateMotion
 
-# Beyond its end by this share, a layer has been gone over to in single precision too.
-_MARGIN = 1e-5
+# So many times its duration after its begin, a layer has been gone over to in single precision too.
+_OVER = 1 + 1e-5
 # Largest first, second and third derivative of the quintic, over a duration of 1.
 _STEEPEST = np.array([15 / 8, 10 / math.sqrt(3), 60.0])
 
@@ -41,7 +41,7 @@ class Layer:
 
     def is_over(self, time: float) -> bool:
         """Whether the plate has gone over to it for good, so that nothing before it matters."""
-        return time - self.begin > self.duration * (1 + _MARGIN) + SHORTEST_RAMP
+        return time - self.begin > self.duration * _OVER + SHORTEST_RAMP
 
 
 Course = tuple[Layer, ...]
@@ -56,7 +56,8 @@ def still_needed(course: Course, time: float) -> Course:
     """Course without the layers that no longer matter."""
     # The first layer also tells where the plate stood before it.
     for i in range(len(course) - 1, 0, -1):
-        if course[i].is_over(time):
+        layer = course[i]
+        if time - layer.begin > layer.duration * _OVER + SHORTEST_RAMP:  # as `is_over`, asked many times a second
             return course[i:]
     return course
 
