@@ -88,6 +88,36 @@ def test_lanes_are_single_environments_bit_for_bit(mode: AutoresetMode, options:
     assert ended >= 3, "episodes that were over"
 
 
+def alike(ours: dict[str, Any], theirs: dict[str, Any]) -> None:
+    assert set(ours) == set(theirs)
+    for name, value in ours.items():
+        if isinstance(value, dict):
+            alike(value, theirs[name])
+        else:
+            assert value.dtype == theirs[name].dtype
+            assert all(np.array_equal(a, b) for a, b in zip(value, theirs[name], strict=True))
+
+
+@pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP])
+def test_what_is_told_has_the_form_of_gymnasium_s_own(mode: AutoresetMode):
+    ours = gymnasium.make_vec(ID, num_envs=2, autoreset_mode=mode, **CHOSEN)
+    theirs = gymnasium.make_vec(
+        ID, num_envs=2, vectorization_mode="sync", vector_kwargs={"autoreset_mode": mode}, **CHOSEN
+    )
+    ours.action_space.seed(1)
+    told, own = ours.reset(seed=5), theirs.reset(seed=5)
+    np.testing.assert_array_equal(told[0], own[0])
+    alike(told[1], own[1])
+    for _ in range(30):
+        actions = ours.action_space.sample()
+        *told, infos = ours.step(actions)
+        *own, own_infos = theirs.step(actions)
+        for value, other in zip(told, own, strict=True):
+            assert value.dtype == other.dtype
+            np.testing.assert_array_equal(value, other)
+        alike(infos, own_infos)
+
+
 def test_an_episode_that_is_over_waits_where_none_follows_by_itself():
     vector = PoseVectorEnv(2, actions=MENU, time_limit=0.2, hold=0.1, autoreset_mode=AutoresetMode.DISABLED)
     vector.reset(seed=0)
