@@ -1,0 +1,95 @@
+"""Goals: poses that an object is to be brought to, and paths that it is to be carried along."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from plategait.arrays import Array
+from plategait.control.menu import room_of
+from plategait.errors import InputError
+from plategait.model.scenario import Scenario
+from plategait.units import ANGLE, Quantity
+
+WITHIN, WITHIN_ANGLE = 3e-3, math.radians(5)
+"""How near to its goal an object counts as being there, m and rad."""
+HOLD = 2.0
+"""How long it is to stay there, s."""
+MARGIN = 5e-3
+"""What is to be left between an object and the edge of its plate, m."""
+
+_PLACE = Quantity("m", "mm", "30 mm", at_least=-10, at_most=10)
+
+
+@dataclass(frozen=True)
+class Goal:
+    """A pose to come to.
+
+    Attributes
+    ----------
+    x, y : float
+        Along the bar and across it, m, from the middle of the plate.
+    angle : float, optional
+        rad, counter-clockwise from how the object's outline is drawn; any where there is none.
+    """
+
+    x: float
+    y: float
+    angle: float | None = None
+
+    @property
+    def pose(self) -> Array:
+        """(3,) x, y and angle; NaN for any."""
+        return np.array([self.x, self.y, math.nan if self.angle is None else self.angle])
+
+
+def read_goal(typed: str, field: str = "to") -> Goal:
+    """Goal of text: "30 mm, -10 mm, 90 deg", or a place alone.
+
+    Raises
+    ------
+    InputError
+        For what is not two lengths, and an angle at most.
+    """
+    parts = [part.strip() for part in typed.split(",")]
+    if len(parts) not in (2, 3):
+        raise InputError(field, typed, "two lengths, along the bar and across it, and an angle where it matters",
+                         '"30 mm, -10 mm, 90 deg"')  # fmt: skip
+    x, y = (_PLACE.read(part, field) for part in parts[:2])
+    return Goal(x, y, ANGLE.read(parts[2], field) if len(parts) == 3 else None)
+
+
+def check_goals(goals: Sequence[Goal], scenario: Scenario) -> None:
+    """Refuse goals at which an object would not lie on its plate.
+
+    Raises
+    ------
+    InputError
+        With the first such goal, and where it may be.
+    """
+    room = room_of(scenario) - MARGIN
+    for number, goal in enumerate(goals, start=1):
+        place = np.array([goal.x, goal.y])
+        if not (np.isfinite(place).all() and (np.abs(place) <= room + 1e-9).all()):
+            nearest = 1e3 * np.clip(np.nan_to_num(place), -room, room)
+            raise InputError(f"goals.{number}", f"({1e3 * goal.x:g}, {1e3 * goal.y:g}) mm",
+                             f"within {1e3 * room[0]:.0f} mm along the bar and {1e3 * room[1]:.0f} mm across it, so "
+                             "that the object stays on its plate",
+                             f'"{nearest[0]:.0f} mm, {nearest[1]:.0f} mm"')  # fmt: skip
+
+
+def random_goals(count: int, scenario: Scenario, seed: int, reach: float = 0.04) -> list[Goal]:
+    """Goals within `reach` (m) of the middle of the plate each way, at any angle."""
+    reach = float(min(reach, (room_of(scenario) - MARGIN).min()))
+    shares = np.random.default_rng(seed).uniform(-1, 1, (count, 3)).tolist()
+    return [Goal(reach * x, reach * y, math.pi * turn) for x, y, turn in shares]
+
+
+def off(pose: Array, goal: Array) -> tuple[float, float]:
+    """Distance from a goal, m, and angle from it in size, rad: 0 where any angle will do."""
+    distance = math.hypot(pose[0] - goal[0], pose[1] - goal[1])
+    turn = 0.0 if math.isnan(goal[2]) else abs(math.remainder(pose[2] - goal[2], 2 * math.pi))
+    return distance, turn

@@ -1,0 +1,130 @@
+"""Steering: responses fitted to pulses, the observer, ways counted in pulses, and a sheet brought to its goal."""
+
+import math
+
+import numpy as np
+import pytest
+
+from plategait.control.camera import PERFECT, Camera
+from plategait.control.goal import Goal, check_goals, off, read_goal
+from plategait.control.learn import Learner
+from plategait.control.menu import menu_of, on_a_plate
+from plategait.control.observer import Observer
+from plategait.control.plant import Plant
+from plategait.control.reach import Reach
+from plategait.control.response import DELAY, LONGEST, TAIL, TICK, Pulses, Response, fitted, resting
+from plategait.control.steer import steer
+from plategait.errors import InputError
+
+RATES = np.array([[0.02, 0.0, -1.5], [0.05, 0.1, -0.2], [1.0, 0.0, 3.0]])
+
+
+def response_of(rates: np.ndarray, lag: float = 0.1) -> Response:
+    still = resting()
+    return Response(
+        np.concatenate([still.rates, rates[None]]), np.concatenate([still.lags, np.full((1, 3), lag)]),
+        np.full((2, 3), 1e-3), np.zeros(2, dtype=bool),
+    )  # fmt: skip
+
+
+def gone(response: Response, start: np.ndarray, ticks: int) -> np.ndarray:
+    state, track = np.array([1.0, *start, 0, 0, 0]), [start]
+    for k in range(LONGEST + TAIL + DELAY):
+        state = response.maps[1 if DELAY <= k < ticks + DELAY else 0] @ state
+        track.append(state[1:4])
+    return np.array(track)
+
+
+def test_response_is_found_again_from_pulses_that_follow_it():
+    true = response_of(RATES)
+    starts = np.random.default_rng(1).uniform(-0.03, 0.03, (12, 3))
+    ticks = np.tile([6, LONGEST], 6)
+    tracks = np.array([gone(true, start, n) for start, n in zip(starts, ticks, strict=True)])
+    room = np.full(2, np.inf)
+    run = Pulses(tracks, np.ones(12, dtype=np.int64), ticks, np.ones(12, dtype=bool), room)
+    found = fitted(run, 2)
+    np.testing.assert_allclose(found.lags[1], 0.1)
+    # The fit takes an object's place at the begin of each tick, as the maps do: only rounding differs.
+    np.testing.assert_allclose(found.rates[1], RATES, atol=1e-8)
+    assert found.spread[1].max() < 1e-9
+    assert not found.failed.any()
+
+
+def test_observer_follows_what_the_plate_was_told_through_delay_and_missing_frames():
+    response = response_of(RATES)
+    draw = np.random.default_rng(2)
+    observer = Observer(Camera(), response, np.zeros(3))
+    state, states = np.array([1.0, 0, 0, 0, 0, 0, 0]), []
+    held = [0] * DELAY
+    for k in range(60):
+        states.append(state)
+        if k >= 2 and draw.random() > 0.05:
+            noise = draw.standard_normal(3) * [0.5e-3, 0.5e-3, math.radians(1)]
+            observer.saw(states[k - 2][1:4] + noise, (k - 2) * TICK)
+        motion = 1 if 10 <= k < 40 else 0
+        observer.told(motion)
+        held.append(motion)
+        state = response.maps[held.pop(0)] @ state
+    for motion in held:
+        state = response.maps[motion] @ state
+    # Within four standard deviations of one frame, though it is two ticks late.
+    assert np.abs(observer.pose - state[1:4])[:2].max() < 2e-3
+    assert abs(observer.pose[2] - state[3]) < math.radians(4)
+
+
+def test_observer_finds_a_sheet_that_was_pushed_away():
+    observer = Observer(Camera(), resting(1), np.zeros(3))
+    moved = []
+    for k in range(1, 8):
+        observer.told(0)
+        moved.append(observer.saw(np.array([0.02, 0.01, 0.3]), k * TICK))
+    assert any(moved)
+    np.testing.assert_allclose(observer.pose[:2], [0.02, 0.01], atol=1e-3)
+
+
+def test_learner_comes_to_what_pulses_did():
+    known, true = response_of(RATES), response_of(1.4 * RATES)
+    learner, draw = Learner(known), np.random.default_rng(3)
+    for _ in range(30):
+        before = draw.uniform(-0.02, 0.02, 3)
+        learner.saw(1, 8, before, gone(true, before, 8)[-1], np.full(3, 1e-4))
+    # Places change within a pulse, and its middle stands for them: V_x of -2.1/s by 2 mm are 4 mm/s.
+    np.testing.assert_allclose(learner.rates[1][:, 0], 1.4 * RATES[:, 0], rtol=0.1, atol=5e-3)
+
+
+def test_ways_take_as_long_as_the_best_mixture_of_pulses():
+    moved = np.concatenate([np.eye(3), -np.eye(3)]) * 0.01
+    reach = Reach(moved, np.full(6, 0.1))
+    # Along one pulse, 0.22 s of pulse and pause for each 10 mm; two ways add up.
+    assert reach.time(np.array([0.02, 0, 0])) == pytest.approx(0.44)
+    assert reach.time(np.array([0.02, -0.01, 0])) == pytest.approx(0.66)
+    with pytest.raises(InputError, match="cannot carry"):
+        Reach(np.abs(moved) + 1e-3 * np.random.default_rng(0).random((6, 3)), np.full(6, 0.1))
+
+
+def test_goals_are_read_and_those_off_the_plate_refused():
+    goal = read_goal("30 mm, -10 mm, 90 deg")
+    assert (goal.x, goal.y, goal.angle) == pytest.approx((0.03, -0.01, math.pi / 2))
+    assert read_goal("1 cm, 0 mm").angle is None
+    assert off(np.array([0.033, -0.01, -math.pi * 1.5]), goal.pose) == pytest.approx((0.003, 0.0))
+    with pytest.raises(InputError, match="stays on its plate"):
+        check_goals([Goal(0.08, 0.0)], on_a_plate("cheese"))
+    with pytest.raises(InputError, match="two lengths"):
+        read_goal("30 mm")
+
+
+@pytest.mark.slow
+def test_sheets_are_brought_to_their_goals():
+    menu = menu_of("cheese")
+    goals = [Goal(0.01, 0.01, 0.5), Goal(-0.015, 0.0, -1.0), Goal(0.0, -0.015), Goal(0.02, 0.005, 2.0)]
+    sheets = [menu.scenario.replace(**{"start.x": x}) for x in (0.0, 0.01, -0.01, 0.0)]
+    ways = steer(Plant(sheets, camera=PERFECT), [[goal] for goal in goals], menu, timeout=15.0)
+    arrivals = [way.arrivals[0] for way in ways]
+    # Nine in ten come home: two of four hold by far more than chance, on any processor.
+    assert sum(arrival.reached for arrival in arrivals) >= 2
+    for arrival in arrivals:
+        if arrival.reached:
+            assert arrival.error <= 3e-3
+            assert arrival.angle_error <= math.radians(5)
+        else:
+            assert arrival.status
