@@ -71,7 +71,7 @@ def test_an_optimum_is_found_written_drawn_and_found_again(called, tmp_path):
         (("--along", "200 mm/s", "--duration", "4 s"), "plate", "--duration"),
         (("--chance-of-failure", "0"), "--chance-of-failure", "0.05"),
         (("--confidence", "100%"), "--confidence", "0.9"),
-        (("--store", "small.toml"), "--store", "optimum"),
+        (("--store", "small.toml"), "--store", "folder that can be written"),
     ],
 )  # fmt: skip
 def test_bad_input_is_one_line_that_says_what_to_change(typed, option, said, called, tmp_path):
