@@ -19,6 +19,7 @@ from plategait.cli.modes import modes
 from plategait.cli.moves import moves
 from plategait.cli.needs import needs_command
 from plategait.cli.optimize import optimize
+from plategait.cli.report import INTERRUPTED
 from plategait.cli.scenario import scenario_command
 from plategait.cli.shoot import shoot
 from plategait.cli.simulate import simulate
@@ -30,8 +31,6 @@ from plategait.cli.track import track
 from plategait.cli.track_folder import track_folder
 from plategait.cli.track_strip import track_strip
 from plategait.errors import InputError
-
-INTERRUPTED = 130
 
 app = typer.Typer(
     add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]},

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -21,7 +20,6 @@ if TYPE_CHECKING:
     from plategait.collection.collection import Outcome
     from plategait.collection.one import Asked
 
-INTERRUPTED = 130
 # Options that say something of a posterior alone.
 _OF_POSTERIOR = (
     "beta", "free", "fixed", "noise", "duration", "slip_limit", "ramp", "model_error", "any_law", "confidence", "seed",
@@ -75,14 +73,8 @@ def estimate_all(
 
     if curves := [curve for item in read_items(objects) for curve in item.curves]:
         refuse_redundant(context, curves)
-    try:
-        with report.progress_bar("estimating") as progress:
-            outcomes = run(objects, asked, store=store, dask=dask, progress=progress)
-    except KeyboardInterrupt:
-        if store is None:
-            raise
-        print(f"plategait: interrupted; the same command goes on where {store} ends", file=sys.stderr)
-        sys.exit(INTERRUPTED)
+    with report.going_on_in(store), report.progress_bar("estimating") as progress:
+        outcomes = run(objects, asked, store=store, dask=dask, progress=progress)
     _write(outcomes, out, fragments)
     counted = {"objects": len(outcomes), "answered": sum(o.answered for o in outcomes),
                "failed": sum(bool(o.failure) for o in outcomes)}  # fmt: skip

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -14,7 +13,7 @@ from plategait.cli import options, report
 from plategait.cli.command import refuse
 from plategait.cli.groups import grouped
 from plategait.cli.needs import MachineName
-from plategait.cli.optimize import INTERRUPTED, RATE, VELOCITY
+from plategait.cli.optimize import RATE, VELOCITY
 from plategait.files.output import PICTURES, check_outputs, write_whole
 from plategait.units import Quantity
 
@@ -85,14 +84,8 @@ def moves(
     from plategait.moves.report import reached_in, summary
 
     others = [reached_in(path, "--beside") for path in beside or []]
-    try:
-        with report.progress_bar("searching") as progress:
-            found = atlas(scenario, machine, **made.read(), store=store, dask=dask, progress=progress)
-    except KeyboardInterrupt:
-        if store is None:
-            raise
-        print(f"plategait: interrupted; the same command goes on where {store} ends", file=sys.stderr)
-        sys.exit(INTERRUPTED)
+    with report.going_on_in(store), report.progress_bar("searching") as progress:
+        found = atlas(scenario, machine, **made.read(), store=store, dask=dask, progress=progress)
     numbers = summary(found)
     if out:
         write_whole(json.dumps(numbers, indent=1, ensure_ascii=False).encode(), out, (".json",), "--out")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
     from plategait.optimize.goal import Goal
     from plategait.optimize.optimum import Optimum
 
-INTERRUPTED = 130
 VELOCITY = Quantity("m/s", "mm/s", "100 mm/s")
 RATE = Quantity("rad/s", "deg/s", "300 deg/s")
 _SLIP = Quantity("m", "mm", "15 mm", above=0, at_most=10)
@@ -145,21 +143,15 @@ def optimize(
 
     permitted = options.read_share(tried.chance_of_failure, "--chance-of-failure")
     confidence = options.read_share(tried.confidence, "--confidence")
-    try:
-        with report.progress_bar("optimizing") as progress:
-            optimum = optimize_motion(
-                tried.laid_over(scenario), machine, sought.goal(), ranges=may_vary.ranges(),
-                free=may_vary.freedoms(),  # type: ignore[arg-type]
-                measured=[read_fragment(path) for path in measured or []], draws=draws,
-                chance_of_failure=permitted, confidence=confidence,
-                searches=tried.searches, seed=tried.seed, engine=tried.engine, store=store, dask=dask,
-                progress=progress,
-            )  # fmt: skip
-    except KeyboardInterrupt:
-        if store is None:
-            raise
-        print(f"plategait: interrupted; the same command goes on where {store} ends", file=sys.stderr)
-        sys.exit(INTERRUPTED)
+    with report.going_on_in(store), report.progress_bar("optimizing") as progress:
+        optimum = optimize_motion(
+            tried.laid_over(scenario), machine, sought.goal(), ranges=may_vary.ranges(),
+            free=may_vary.freedoms(),  # type: ignore[arg-type]
+            measured=[read_fragment(path) for path in measured or []], draws=draws,
+            chance_of_failure=permitted, confidence=confidence,
+            searches=tried.searches, seed=tried.seed, engine=tried.engine, store=store, dask=dask,
+            progress=progress,
+        )  # fmt: skip
     if out:
         write_whole(optimum.toml().encode(), out, (".toml",), "--out")
     if plot:

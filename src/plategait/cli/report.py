@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,8 +22,23 @@ from plategait.simulation.energy import LEDGER_TOLERANCE
 from plategait.simulation.registry import Observable, all_observables
 from plategait.simulation.result import Simulation
 
+INTERRUPTED = 130
+"""Exit status of what was interrupted from the keyboard, as shells have it."""
+
 # Work shorter than this shows no progress bar, s.
 _PATIENCE = 1.0
+
+
+@contextmanager
+def going_on_in(store: Path | None) -> Iterator[None]:
+    """Tell whoever interrupts the work where it goes on; without a store there is nothing to go on with."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        if store is None:
+            raise
+        print(f"plategait: interrupted; the same command goes on where {store} ends", file=sys.stderr)
+        sys.exit(INTERRUPTED)
 
 
 def print_json(numbers: dict[str, Any]) -> None:

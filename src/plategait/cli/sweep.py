@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,8 +13,6 @@ from plategait.files.output import PICTURES, check_writable
 
 if TYPE_CHECKING:
     from plategait.campaign.opened import Campaign
-
-INTERRUPTED = 130
 
 
 def sweep(
@@ -40,12 +37,8 @@ def sweep(
     path = store or beside
     from plategait.campaign.run import sweep as run
 
-    try:
-        with report.progress_bar("sweeping") as progress:
-            done = run(plan, path, refine=refine, repair=repair, dask=dask, progress=progress)
-    except KeyboardInterrupt:
-        print(f"plategait: interrupted; the same command goes on where {path} ends", file=sys.stderr)
-        sys.exit(INTERRUPTED)
+    with report.going_on_in(path), report.progress_bar("sweeping") as progress:
+        done = run(plan, path, refine=refine, repair=repair, dask=dask, progress=progress)
     report.print_json(done.summary()) if as_json else _print(done)
 
 
