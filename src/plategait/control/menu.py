@@ -20,6 +20,7 @@ from plategait.model.machine import Machine, machine_of
 from plategait.model.motion import PlateMotion
 from plategait.model.presets import Preset, as_scenario
 from plategait.model.scenario import Plate, Scenario
+from plategait.optimize.symmetry import changes_sign
 
 PLATE = 0.2
 """Length and width of the plate where the scenario has none, m."""
@@ -36,8 +37,6 @@ _PLACES = (-0.75, 0.0, 0.75)
 _MOST_SPREAD = np.array([6e-3, 6e-3, math.radians(15)])
 _DIRECTIONS = np.array([d for d in itertools.product((-1, 0, 1), repeat=3) if any(d)], dtype=float)
 _DIRECTIONS /= np.linalg.norm(_DIRECTIONS, axis=1)[:, None]
-# Numbers of an action that change their sign in a mirror across the bar, and in one along it half a period later.
-_TURNED = (("angle", "offset", "y", "rz"), ("angle", "y", "z"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -185,8 +184,8 @@ def _best(response: Response, reach: float) -> Sequence[int]:
 
 def children(parents: Array, drive: Drive, first: bool, generator: np.random.Generator) -> Array:
     """Actions about those of parents, the first time beside their mirror images."""
-    names = [name.split()[0] for name in drive.names]
-    signs = np.array([[-1.0 if name in turned else 1.0 for name in names] for turned in _TURNED])
+    names = ["sense" if name == "angle" else name for name in drive.names]
+    signs = np.array([np.where(changes_sign(names, mirror), -1.0, 1.0) for mirror in (0, 1)])
     images = np.concatenate([parents * sign for sign in signs]) if first else np.zeros((0, len(drive)))
     count = max(_CHILDREN - len(images), _CHILDREN // 4)
     one, other = generator.integers(len(parents), size=(2, count))

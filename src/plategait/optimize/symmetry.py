@@ -25,7 +25,15 @@ def mirrored(space: Space, shares: Array) -> Array:
 
 def turned(space: Space, mirror: int) -> Flags:
     """(d,) variables that change their sign in a mirror: 0 across the bar, 1 along it."""
-    return np.array([v.name.split()[0] in _TURNED[mirror] for v in space.variables])
+    return changes_sign([v.name for v in space.variables], mirror)
+
+
+def changes_sign(names: Sequence[str], mirror: int) -> Flags:
+    """(d,) numbers of a motion, by name, that change their sign in a mirror: 0 across the bar, 1 along it.
+
+    An amplitude of the rocking that has a sign goes as the `sense` of one that has none.
+    """
+    return np.array([name.split()[0] in _TURNED[mirror] for name in names])
 
 
 def nearest_images(space: Space, goal: Goal, trials: Sequence[Trial], count: int) -> list[Array]:
