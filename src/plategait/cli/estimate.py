@@ -10,7 +10,16 @@ import typer
 
 from plategait.cli import estimate_report, options, report
 from plategait.cli.command import refuse, take_only
-from plategait.cli.estimate_options import MeasurementOptions, OutputOptions, PlanOptions, SetupOptions
+from plategait.cli.estimate_options import (
+    Coefficients,
+    CoefficientsName,
+    MeasurementOptions,
+    Method,
+    MethodName,
+    OutputOptions,
+    PlanOptions,
+    SetupOptions,
+)
 from plategait.cli.groups import grouped
 from plategait.curve.protocol import measured_as
 from plategait.files.output import PICTURES, check_outputs
@@ -21,11 +30,9 @@ if TYPE_CHECKING:
     from plategait.estimate.result import Estimate
     from plategait.model.motion import PlateMotion
 
-Method = Literal["posterior", "linear", "quadratic"]
 CANDIDATES = [
     "candidate_angle", "candidate_stroke", "candidate_height", "candidate_phase", "candidate_frequency", "machine",
 ]  # fmt: skip
-Coefficients = Literal["published", "refitted"]
 
 
 @grouped
@@ -37,13 +44,8 @@ def estimate(
     ],
     *,
     setup: SetupOptions,
-    method: Annotated[
-        Method, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")
-    ] = "posterior",
-    coefficients: Annotated[
-        Coefficients | None,
-        typer.Option("--coefficients", help="Of linear: published, or refitted to our simulations as quadratic's are."),
-    ] = None,
+    method: MethodName = "posterior",
+    coefficients: CoefficientsName = None,
     measurement: MeasurementOptions,
     planning: PlanOptions,
     seed: options.Seed = 0,

@@ -9,8 +9,15 @@ import typer
 
 from plategait.cli import options, report
 from plategait.cli.command import refuse
-from plategait.cli.estimate import Coefficients, Method, refuse_redundant
-from plategait.cli.estimate_options import MeasurementOptions, SetupOptions
+from plategait.cli.estimate import refuse_redundant
+from plategait.cli.estimate_options import (
+    Coefficients,
+    CoefficientsName,
+    MeasurementOptions,
+    Method,
+    MethodName,
+    SetupOptions,
+)
 from plategait.cli.groups import grouped
 from plategait.curve.protocol import measured_as
 from plategait.errors import InputError
@@ -36,13 +43,8 @@ def estimate_all(
     ],
     *,
     setup: SetupOptions,
-    method: Annotated[
-        Method, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")
-    ] = "posterior",
-    coefficients: Annotated[
-        Coefficients | None,
-        typer.Option("--coefficients", help="Of linear: published, or refitted to our simulations as quadratic's are."),
-    ] = None,
+    method: MethodName = "posterior",
+    coefficients: CoefficientsName = None,
     measurement: MeasurementOptions,
     seed: options.Seed = 0,
     store: Annotated[

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -26,6 +26,14 @@ if TYPE_CHECKING:
     from plategait.estimate.planning import Plan
     from plategait.estimate.result import Estimate, EstimateOptions
     from plategait.model.motion import PlateMotion
+
+Method = Literal["posterior", "linear", "quadratic"]
+MethodName = Annotated[Method, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")]
+Coefficients = Literal["published", "refitted"]
+CoefficientsName = Annotated[
+    Coefficients | None,
+    typer.Option("--coefficients", help="Of linear: published, or refitted to our simulations as quadratic's are."),
+]
 
 _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
