@@ -12,7 +12,7 @@ from plategait.control.menu import menu_of, on_a_plate
 from plategait.control.observer import Observer
 from plategait.control.plant import Plant
 from plategait.control.reach import Reach
-from plategait.control.response import DELAY, LONGEST, TAIL, TICK, Pulses, Response, fitted, resting
+from plategait.control.response import DELAY, LONGEST, TAIL, TICK, PulseRuns, Response, fitted, resting
 from plategait.control.steer import steer
 from plategait.errors import InputError
 
@@ -41,7 +41,7 @@ def test_response_is_found_again_from_pulses_that_follow_it():
     ticks = np.tile([6, LONGEST], 6)
     tracks = np.array([gone(true, start, n) for start, n in zip(starts, ticks, strict=True)])
     room = np.full(2, np.inf)
-    run = Pulses(tracks, np.ones(12, dtype=np.int64), ticks, np.ones(12, dtype=bool), room)
+    run = PulseRuns(tracks, np.ones(12, dtype=np.int64), ticks, np.ones(12, dtype=bool), room)
     found = fitted(run, 2)
     np.testing.assert_allclose(found.lags[1], 0.1)
     # The fit takes an object's place at the begin of each tick, as the maps do: only rounding differs.

@@ -141,13 +141,14 @@ class BlendingController:
         ends = pulses.ends @ state
         if self.there(ends[0]):
             return 0, ends[0]
-        own = self.costs() + self.outside(ends, pulses.spread)
+        alone = self.costs()
+        own = alone + self.outside(ends, pulses.spread)
         left = self.left(ends)
         total = own + left
         kept = np.argsort(own + 0.6 * left)[:_KEPT]
         from_rest = np.concatenate([np.ones((len(kept), 1)), ends[kept]], axis=1)
         second = np.einsum("kij,nj->nki", pulses.ends[:, :, :4], from_rest)
-        after = self.costs() + self.outside(second, pulses.spread) + self.left(second)
+        after = alone + self.outside(second, pulses.spread) + self.left(second)
         total[kept] = np.minimum(total[kept], own[kept] + after.min(axis=1) + _PULSE)
         total[0] = np.inf
         best = int(total.argmin())

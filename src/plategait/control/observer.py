@@ -46,7 +46,6 @@ class Observer:
         self._held = [0] * DELAY
         self._tick, self._far = 0, 0
         self.newest = 0
-        self.frames = 1
 
     def told(self, motion: int) -> None:
         """Note what the plate is told to do in the tick that begins."""
@@ -69,7 +68,7 @@ class Observer:
         """
         for _ in range(max(round(taken / TICK) - self._tick, 0)):
             self._go_on()
-        self.newest, self.frames = self._tick, self.frames + 1
+        self.newest = self._tick
         moving = self._held[0] != 0 or bool(np.abs(self._state[4:6]).max() > 5e-3)
         noise = np.diag(self._noise**2 + (_TREMBLE**2 if moving else 0.0))
         error = wrapped(pose - self._state[1:4])

@@ -39,7 +39,7 @@ class Pulses:
         self.ends[0] = _STOP[1:4]
         self._going = np.zeros((count, _MOST + 1, 3, 7))
         for motion, map_ in enumerate(response.maps):
-            self._told(motion, map_)
+            self.learnt(motion, map_)
 
     def copy(self) -> Pulses:
         """The same pulses, to learn apart."""
@@ -50,9 +50,6 @@ class Pulses:
 
     def learnt(self, motion: int, map_: Array) -> None:
         """Take another response to one motion."""
-        self._told(motion, map_)
-
-    def _told(self, motion: int, map_: Array) -> None:
         power = np.eye(7)
         for ticks in range(_MOST + 1):
             self._going[motion, ticks] = (_STOP @ power)[1:4]

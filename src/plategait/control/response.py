@@ -97,7 +97,7 @@ def wrapped(poses: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Pulses:
+class PulseRuns:
     """Runs of motions for some ticks each, from rest to rest.
 
     Attributes
@@ -129,7 +129,7 @@ def pulses(
     *,
     engine: Engine = "cpu",
     threads: int | None = None,
-) -> Pulses:
+) -> PulseRuns:
     """Run each motion but the first, from rest to rest, for each number of ticks and from so many poses.
 
     Parameters
@@ -168,7 +168,7 @@ def pulses(
     tracks[..., 2] = np.unwrap(tracks[..., 2], axis=1)
     plate = scenarios[0].plate
     room = _EDGE * np.array([plate.length, plate.width]) / 2 if plate else np.full(2, np.inf)
-    return Pulses(tracks, asked, until, sound, room)
+    return PulseRuns(tracks, asked, until, sound, room)
 
 
 def flat(session: Session) -> Flags:
@@ -177,7 +177,7 @@ def flat(session: Session) -> Flags:
         return ~session.diverged & (session.now("area_z") > _FLAT)
 
 
-def fitted(run: Pulses, count: int) -> Response:
+def fitted(run: PulseRuns, count: int) -> Response:
     """Response to so many motions, fitted to pulses of them.
 
     Of each motion and component the lag among a few that explains the tracks best, with least squares for the rates.

@@ -110,11 +110,9 @@ class _Lane:
     aims: list[Array] = field(default_factory=list)
     told: list[tuple[float, PlateMotion]] = field(default_factory=list)
     motion: int = 0
-    ticks: int = 0
     resting: int = REST
     before: Array | None = None
     last: tuple[int, int] = (0, 0)
-    turned: float = 0.0
 
     @property
     def over(self) -> bool:
@@ -198,11 +196,11 @@ def _lane(
         [plant.session.scenarios[i].start.x, plant.session.scenarios[i].start.y, plant.session.scenarios[i].start.angle]
     )  # fmt: skip
     aimed = goals[0].pose if goals else np.zeros(3)
-    pulses = table.copy() if learns else table
-    controller = BlendingController(menu, pulses, aimed, 1 if method == "one-pulse" else None)
     looks = method != "open-loop"
-    return _Lane(goals, controller, Observer(plant.camera, menu.response, first),
-                 Learner(menu.response) if learns and looks else None, pulses, looks)  # fmt: skip
+    learner = Learner(menu.response) if learns and looks else None
+    pulses = table if learner is None else table.copy()
+    controller = BlendingController(menu, pulses, aimed, 1 if method == "one-pulse" else None)
+    return _Lane(goals, controller, Observer(plant.camera, menu.response, first), learner, pulses, looks)
 
 
 def _decide(
@@ -260,9 +258,8 @@ def _judge(
 def _learn(lane: _Lane, moved: bool) -> None:
     """Learn from a pulse once the object rests, and follow how it turns meanwhile."""
     if lane.motion:
-        if lane.resting:
-            lane.last = (lane.motion, 0)
-        lane.last, lane.resting = (lane.motion, lane.last[1] + 1), 0
+        ticks = 0 if lane.resting else lane.last[1]
+        lane.last, lane.resting = (lane.motion, ticks + 1), 0
         return
     lane.resting += 1
     if lane.resting != REST:
@@ -270,7 +267,8 @@ def _learn(lane: _Lane, moved: bool) -> None:
     after = lane.observer.pose
     if lane.before is not None and lane.last[0] and lane.learner is not None and not moved:
         motion, ticks = lane.last
-        expected = lane.pulses.going(motion, np.array([1.0, *lane.before, 0.0, 0.0, 0.0]))[min(ticks, 36)]
+        ends = lane.pulses.going(motion, np.array([1.0, *lane.before, 0.0, 0.0, 0.0]))
+        expected = ends[min(ticks, len(ends) - 1)]
         # The angle as it went on: the turn next to what was expected.
         turn = expected[2] + math.remainder(after[2] - expected[2], 2 * math.pi)
         map_ = lane.learner.saw(motion, ticks, lane.before, np.array([*after[:2], turn]), lane.observer.deviation)
@@ -283,6 +281,6 @@ def _learn(lane: _Lane, moved: bool) -> None:
 def _told(lane: _Lane, tick: float) -> Steering:
     count = len(lane.poses)
     return Steering(
-        tuple(lane.arrivals), np.arange(count) / (1 / tick), np.array(lane.poses).reshape(count, 3),
+        tuple(lane.arrivals), np.arange(count).astype(float) * tick, np.array(lane.poses).reshape(count, 3),
         np.array(lane.seen).reshape(count, 3), np.array(lane.aims).reshape(count, 3), tuple(lane.told),
     )  # fmt: skip
