@@ -48,10 +48,12 @@ def test_a_ramp_that_is_told_is_used():
 def test_how_sharp_the_run_off_is_follows_from_what_is_not_known(monkeypatch, ramp, low, high):
     """An object that runs off 10 Hz later for each second of ramp: 3 Hz, evenly spread, have an sd of 0.87 Hz."""
 
-    def engine(scenarios, **_):
-        return [SimpleNamespace(spin_rate=1.0, failed=s.motion.frequency > 20 + 10 * s.motion.ramp) for s in scenarios]
+    def seen(scenario, _recording, _names):
+        failed = scenario.motion.frequency > 20 + 10 * scenario.motion.ramp
+        return SimpleNamespace(spin=SimpleNamespace(rate=1.0), failure="slipped" if failed else None, values={})
 
-    monkeypatch.setattr(runs_module, "simulate_all", engine)
+    monkeypatch.setattr(runs_module, "engine", lambda _: SimpleNamespace(run=lambda runs, **_: runs))
+    monkeypatch.setattr(runs_module, "glance", seen)
     conditions = [Condition(0.05, 0.003, f) for f in np.arange(19, 25, 0.25).tolist()]
     u = np.random.default_rng(0).random((80, 2))
     runs = run_engine(TWO, u, conditions, handling=Handling(ramp=ramp), seed=1)
