@@ -115,7 +115,7 @@ def test_goals_are_read_and_those_off_the_plate_refused():
 
 @pytest.mark.slow
 def test_sheets_are_brought_to_their_goals():
-    menu = menu_of("cheese")
+    menu = menu_of("cheese", generations=1)
     goals = [Goal(0.01, 0.01, 0.5), Goal(-0.015, 0.0, -1.0), Goal(0.0, -0.015), Goal(0.02, 0.005, 2.0)]
     sheets = [menu.scenario.replace(**{"start.x": x}) for x in (0.0, 0.01, -0.01, 0.0)]
     ways = steer(Plant(sheets, camera=PERFECT), [[goal] for goal in goals], menu, timeout=15.0)

@@ -21,12 +21,15 @@ from plategait.model.motion import PlateMotion
 from plategait.model.presets import Preset, as_scenario
 from plategait.model.scenario import Plate, Scenario
 from plategait.optimize.symmetry import changes_sign
+from plategait.simulation.run import check_whole
 
 PLATE = 0.2
 """Length and width of the plate where the scenario has none, m."""
 RAMP = 0.06
 """Time in which the plate goes over from one motion to the next, s."""
-_FIRST, _CHILDREN, _GENERATIONS = 192, 112, 3
+GENERATIONS = 3
+"""Of motions about the best ones."""
+_FIRST, _CHILDREN = 192, 112
 _STEP = 0.08
 # Displacements over a pulse that weigh the same, m and rad; what goes elsewhere, and what is not sure, weighs so much.
 _SCALE = np.array([0.02, 0.02, math.radians(40)])
@@ -93,6 +96,7 @@ def menu_of(
     scenario: Scenario | Preset | Path | str = "cheese",
     machine: Machine | Path | str = "source-robot",
     *,
+    generations: int = GENERATIONS,
     seed: int = 0,
     engine: Engine = "cpu",
     threads: int | None = None,
@@ -108,6 +112,8 @@ def menu_of(
     scenario : Scenario, or what tells one
         The object and its plate; 200 mm by 200 mm where it has none.
     machine : Machine, its name or file
+    generations : int
+        Of motions about the best ones; fewer go less far.
     seed : int
     engine : {"cpu", "cpu64", "tiles"}
     threads : int, optional
@@ -119,6 +125,7 @@ def menu_of(
     InputError
         For a plate that is too small, or where no motion moves the object without losing it.
     """
+    check_whole("generations", generations, 0, 100)
     placed = on_a_plate(scenario)
     reach = float(min(0.75 * room_of(placed).min(), 0.2))
     drive = Drive(machine_of(machine), placed.motion.replace(waves=(), samples=None), ramp=RAMP)
@@ -128,7 +135,7 @@ def menu_of(
     tried, actions, response = 2 * shares - 1, np.zeros((0, len(drive))), resting(0)
     report = progress or (lambda _: None)
     best: Sequence[int] = ()
-    for generation in range(_GENERATIONS + 1):
+    for generation in range(generations + 1):
         made = [still, *drive.motions(tried)]
         run = pulses([placed], made, (LONGEST // 4, LONGEST), 4, 100 * seed + generation, reach,
                      engine=engine, threads=threads)  # fmt: skip
@@ -137,7 +144,7 @@ def menu_of(
         if not len(best):
             raise InputError("machine", drive.machine.name, "one that moves the object without losing it",
                              "a larger plate, or a machine with smaller motions")  # fmt: skip
-        report((generation + 1) / (_GENERATIONS + 2))
+        report((generation + 1) / (generations + 2))
         tried = children(actions[list(best)], drive, generation == 0, generator)
     chosen = actions[list(best)]
     motions = (still, *drive.motions(chosen))
