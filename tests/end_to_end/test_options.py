@@ -91,6 +91,12 @@ MOVES = typed(
     duration="2 s", reach="10 mm", generations="2", seed="3", engine="cpu64", store="moved", dask="host:1",
     out="o.json", plot="p.png", json="",
 )  # fmt: skip
+STEER = typed(
+    machine="shaker.toml", to="0 mm, 5 mm", _from="0 mm, 1 mm", hold="1 s", within="2 mm", timeout="20 s",
+    plate_size="300 mm", _with="measured.toml", camera_rate="30 Hz", camera_noise="1 mm, 1 deg", camera_delay="10 ms",
+    missed="10%", dark="1:2 s", method="one-pulse", generations="2", menu="menu.json", seed="3", out="o.csv",
+    plot="p.png", json="",
+)  # fmt: skip
 
 MODES = [
     Mode(("simulate", *SHORT), RUN | typed(frequency="20 Hz", out="o.nc", filmstrip="s.png"), ("--seed", "--draws")),
@@ -115,6 +121,8 @@ MODES = [
     Mode(("optimize", "--with", "measured.toml"), typed(draws="4"), ()),
     Mode(("moves",), MOVES, ("--beside",)),
     Mode(("moves", "--plot", "q.png"), typed(beside="six.json"), ()),
+    Mode(("steer", "--to", "0 mm, 0 mm"), STEER, ("--goals",)),
+    Mode(("steer", "--goals", "goals.csv"), typed(goals="other.csv"), ("--to",)),
     Mode(("scenario",), typed(print="cheese", json="")),
     Mode(("scenario", "cheese"), JSON),
     Mode(("scenario", "--print", "cheese"), {}),
@@ -257,6 +265,8 @@ def files(tmp_path_factory) -> Path:
     (folder / "table.csv").write_text("clip,frequency_hz\n20Hz,21\n")
     (folder / "shaker.toml").write_text('x = { acceleration = "50 m/s^2" }\nrx = { angle = "4 deg" }\n')
     (folder / "six.json").write_text('{"machine": "six", "cells": [{"velocity_mm_s": [1, 2], "turn_deg_s": 3}]}')
+    (folder / "goals.csv").write_text("x_mm,y_mm\n0,0\n")
+    (folder / "other.csv").write_text("x_mm,y_mm,angle_deg\n1,0,90\n")
     (folder / "clips").mkdir()
     film_cantilever(examples.K_B, examples.C_B, folder / "strip.mp4")
     return folder
@@ -270,6 +280,22 @@ def small_atlas() -> object:
         for name, value in (("POPULATION", 8), ("_FIRST", 32), ("VERIFIED", 2), ("CONFIRMED", 2)):
             patched.setattr(making, name, value)
         return making.atlas(duration=0.3, generations=1)
+
+
+def small_steering() -> tuple[object, object]:
+    """A menu of one motion, and an object that lies where it is to lie."""
+    from plategait.control.goal import Goal
+    from plategait.control.menu import Menu, drive_of, on_a_plate
+    from plategait.control.response import resting
+    from plategait.control.steer import Arrival, Steering
+    from plategait.model.machine import machine_of
+
+    cheese = on_a_plate("cheese")
+    drive = drive_of(cheese, machine_of("source-robot"))
+    still = np.zeros((2, 3))
+    arrival = Arrival(Goal(0.0, 0.0), True, 0.0, 0.0, 0.0, 0, "")
+    way = Steering((arrival,), np.arange(2) / 60, still, still, still, ((0.0, cheese.motion),))
+    return Menu(cheese, drive, (drive.base,), resting(), 0.05), way
 
 
 @pytest.fixture(scope="module")
@@ -303,6 +329,7 @@ def answers(files) -> dict[str, object]:
     seen = track(files / "clip.mp4")
     estimate = estimate_parameters(files / "few.csv", cheese, noise=0.1, friction_ratio=0.53, fixed="natural_frequency",
                                    model_error=0)  # fmt: skip
+    menu, way = small_steering()
     names = estimate.posterior.unknowns.names
     plan = Plan(Condition(0.1, 0.003, 20.0), 0.0, dict.fromkeys(names, 1.0), dict.fromkeys(names, 0.5), (), None)
     told = {"summary": estimate.summary() | {"answered": True}, "fragment": "[sheet]\n", "failure": ""}
@@ -321,6 +348,10 @@ def answers(files) -> dict[str, object]:
         ),
         "plategait.moves.atlas.atlas": small_atlas(),
         "plategait.moves.figures.plot_atlas": Figure(),
+        "plategait.control.menu_file.kept_menu": menu,
+        "plategait.control.goal.check_reach": None,
+        "plategait.control.plant.Plant": None,
+        "plategait.control.steer.steer": [way],
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
         "plategait.study.source.study_source": SourceStudy(
             learnt=Learnt(Evaluation((Choice({}),), np.ones((1, 3, 44, 3)), np.ones(1), np.zeros((1, 5))), ()),

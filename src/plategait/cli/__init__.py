@@ -23,6 +23,7 @@ from plategait.cli.report import INTERRUPTED
 from plategait.cli.scenario import scenario_command
 from plategait.cli.shoot import shoot
 from plategait.cli.simulate import simulate
+from plategait.cli.steer import steer
 from plategait.cli.study import study
 from plategait.cli.sweep import plot_store, sweep
 from plategait.cli.target import target
@@ -59,6 +60,7 @@ app.command(cls=Command)(modes)
 app.command(name="needs", cls=Command)(needs_command)
 app.command(cls=Command)(optimize)
 app.command(cls=Command)(moves)
+app.command(cls=Command)(steer)
 app.command(name="scenario", cls=Command)(scenario_command)
 app.command(cls=Command)(estimate)
 app.command("estimate-all", cls=Command)(estimate_all)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -60,11 +60,13 @@ Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instea
 SHARE = Quantity("", "", "0.05", above=0)
 
 
-def read_share(text: str, option: str) -> float:
+def read_share(text: str, option: str, quantity: Quantity = SHARE) -> float:
     """A share as a number, or in percent."""
     if text.strip().endswith("%"):
-        return SHARE.read(text.strip()[:-1].strip(), option) / 100
-    return SHARE.read(text, option)
+        in_percent = replace(quantity, at_least=100 * quantity.at_least, at_most=100 * quantity.at_most,
+                             example=f"{100 * float(quantity.example):g}%")  # fmt: skip
+        return in_percent.read(text.strip()[:-1].strip(), option) / 100
+    return quantity.read(text, option)
 
 
 def refuse_idle_seed(context: typer.Context, repeats: int) -> None:

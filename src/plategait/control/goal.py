@@ -5,12 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.control.menu import room_of
+from plategait.control.menu import Menu, room_of
+from plategait.control.pulse import Pulses
+from plategait.control.reach import Reach
 from plategait.errors import InputError
+from plategait.files.headings import Column
+from plategait.files.table import read_table
 from plategait.model.scenario import Scenario
 from plategait.units import ANGLE, Quantity
 
@@ -62,6 +67,23 @@ def read_goal(typed: str, field: str = "to") -> Goal:
     return Goal(x, y, ANGLE.read(parts[2], field) if len(parts) == 3 else None)
 
 
+def read_goals(path: Path | str, field: str = "goals") -> list[Goal]:
+    """Goals of a CSV file, one a row: columns x_mm, y_mm and, where it matters, angle_deg, or other units of them.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, or holds no goal.
+    """
+    columns = {"x": Column("m"), "y": Column("m"), "angle": Column("rad", required=False)}
+    table = read_table(path, columns, field=field, example="x_mm,y_mm,angle_deg")
+    angles = table.get("angle", np.full(len(table), math.nan))
+    return [
+        Goal(x, y, None if math.isnan(angle) else angle)
+        for x, y, angle in zip(table["x"].tolist(), table["y"].tolist(), angles.tolist(), strict=True)
+    ]
+
+
 def check_goals(goals: Sequence[Goal], scenario: Scenario) -> None:
     """Refuse goals at which an object would not lie on its plate.
 
@@ -70,15 +92,39 @@ def check_goals(goals: Sequence[Goal], scenario: Scenario) -> None:
     InputError
         With the first such goal, and where it may be.
     """
-    room = room_of(scenario) - MARGIN
     for number, goal in enumerate(goals, start=1):
-        place = np.array([goal.x, goal.y])
-        if not (np.isfinite(place).all() and (np.abs(place) <= room + 1e-9).all()):
-            nearest = 1e3 * np.clip(np.nan_to_num(place), -room, room)
-            raise InputError(f"goals.{number}", f"({1e3 * goal.x:g}, {1e3 * goal.y:g}) mm",
-                             f"within {1e3 * room[0]:.0f} mm along the bar and {1e3 * room[1]:.0f} mm across it, so "
-                             "that the object stays on its plate",
-                             f'"{nearest[0]:.0f} mm, {nearest[1]:.0f} mm"')  # fmt: skip
+        check_place(goal, scenario, f"goals.{number}")
+
+
+def check_place(goal: Goal, scenario: Scenario, field: str) -> None:
+    """Refuse a goal, or a start, at which an object would not lie on its plate.
+
+    Raises
+    ------
+    InputError
+        With where it may be.
+    """
+    room = room_of(scenario) - MARGIN
+    place = np.array([goal.x, goal.y])
+    if not (np.isfinite(place).all() and (np.abs(place) <= room + 1e-9).all()):
+        ends, nearest = np.floor(1e3 * room), np.trunc(1e3 * np.clip(np.nan_to_num(place), -room, room))
+        raise InputError(field, f"({1e3 * goal.x:g}, {1e3 * goal.y:g}) mm",
+                         f"within {ends[0]:.0f} mm along the bar and {ends[1]:.0f} mm across it, so that the object "
+                         "stays on its plate",
+                         f'"{nearest[0]:.0f} mm, {nearest[1]:.0f} mm"')  # fmt: skip
+
+
+def check_reach(goals: Sequence[Goal], menu: Menu) -> None:
+    """Refuse goals about which the motions of a menu do not carry the object every way.
+
+    Raises
+    ------
+    InputError
+        With the first such goal.
+    """
+    pulses = Pulses(menu.response)
+    for number, goal in enumerate(goals, start=1):
+        Reach(*pulses.short(goal.pose[:2]), field=f"goals.{number}")
 
 
 def random_goals(count: int, scenario: Scenario, seed: int, reach: float = 0.04) -> list[Goal]:

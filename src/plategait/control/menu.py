@@ -88,8 +88,13 @@ def room_of(scenario: Scenario) -> Array:
         size = 1e3 * max(scenario.sheet.outline.size())
         raise InputError("plate", f"{1e3 * plate.length:g} mm by {1e3 * plate.width:g} mm",
                          f"larger than the object, {size:g} mm, by 10 mm at least",
-                         f"a plate of {size + 100:.0f} mm")  # fmt: skip
+                         f'"{size + 100:.0f} mm"')  # fmt: skip
     return room
+
+
+def drive_of(placed: Scenario, machine: Machine) -> Drive:
+    """What the motors of a machine can do with a plate while an object is steered on it."""
+    return Drive(machine, placed.motion.replace(waves=(), samples=None), ramp=RAMP)
 
 
 def menu_of(
@@ -128,7 +133,7 @@ def menu_of(
     check_whole("generations", generations, 0, 100)
     placed = on_a_plate(scenario)
     reach = float(min(0.75 * room_of(placed).min(), 0.2))
-    drive = Drive(machine_of(machine), placed.motion.replace(waves=(), samples=None), ramp=RAMP)
+    drive = drive_of(placed, machine_of(machine))
     still = drive.base.replace(angle=0.0, stroke=0.0)
     generator = np.random.default_rng(seed)
     shares = qmc.Sobol(len(drive), rng=np.random.default_rng(seed)).random_base2(8)[:_FIRST]

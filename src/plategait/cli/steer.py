@@ -1,0 +1,158 @@
+"""`plategait steer`: an object brought to poses on a shaking plate, and held there."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from plategait.cli import options, report
+from plategait.cli.groups import grouped
+from plategait.cli.needs import MachineName
+from plategait.cli.steer_options import AimOptions, CameraOptions, ObjectOptions
+from plategait.errors import InputError
+from plategait.files.output import PICTURES, check_outputs, check_writable
+
+if TYPE_CHECKING:
+    from plategait.control.goal import Goal
+    from plategait.control.menu import Menu
+    from plategait.control.steer import Steering
+    from plategait.model.scenario import Scenario
+
+
+@dataclass(frozen=True)
+class ControlOptions:
+    """How the object is steered, as typed."""
+
+    method: Annotated[
+        str, typer.Option("--method", help="blend (pulses, one after the other), one-pulse, or open-loop (blind).")
+    ] = "blend"
+    generations: Annotated[
+        int, typer.Option("--generations", help="Of the search for motions; fewer are found sooner.", min=0, max=100)
+    ] = 3
+    menu: Annotated[
+        Path | None,
+        typer.Option("--menu", help="Keep the motions that were found in this file (.json), and take them from there."),
+    ] = None
+    seed: Annotated[int, typer.Option("--seed", help="Of the search for motions and of the camera's noise.", min=0)] = 0
+
+    def check(self) -> None:
+        """Refuse a method that there is not."""
+        from plategait.control.steer import METHODS
+
+        if self.method not in METHODS:
+            raise InputError("--method", self.method, f"one of {', '.join(METHODS)}", METHODS[0])
+
+    def menu_for(self, true: Scenario, believed: Scenario, machine: str) -> Menu:
+        """Motions for the object that is believed in, on the plate that there is."""
+        from plategait.control.menu_file import kept_menu
+
+        with report.progress_bar("finding motions") as progress:
+            menu = kept_menu(self.menu, believed, machine, generations=self.generations, seed=self.seed,
+                             progress=progress, field="--menu")  # fmt: skip
+        height = true.motion.height
+        # The motors do the same where the plate lies higher than it is believed to.
+        return replace(menu, motions=tuple(motion.replace(height=height) for motion in menu.motions))
+
+
+@dataclass(frozen=True)
+class SteeringFiles:
+    """Files that a steering is written to, as typed."""
+
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", help="Write where the object was, was seen and was to go, tick by tick: .csv."),
+    ] = None
+    plot: options.Plot = None
+
+    def check_names(self) -> None:
+        """Refuse names that cannot be written to, before anything is read."""
+        check_outputs((self.out, (".csv",), "--out"), (self.plot, PICTURES, "--plot"))
+
+    def write(self, way: Steering, goals: list[Goal], true: Scenario, within: tuple[float, float]) -> None:
+        """Write them all."""
+        if self.out:
+            from plategait.control.report import write_way
+
+            write_way(way, self.out, "--out")
+        if self.plot:
+            from plategait.control.figures import plot_steering
+            from plategait.plots.style import save
+
+            save(plot_steering(way, goals, true, within, true.name), self.plot)
+
+
+@grouped
+def steer(
+    scenario: options.ScenarioName = "cheese",
+    machine: MachineName = "source-robot",
+    *,
+    aims: AimOptions,
+    lies_there: ObjectOptions,
+    seen: CameraOptions,
+    steered: ControlOptions,
+    files: SteeringFiles,
+    as_json: options.Json = False,
+) -> None:
+    """Bring an object to poses on a shaking plate, one after the other, and hold it at each.
+
+    Exit status 1 where a goal was not reached.
+    """
+    files.check_names()
+    if steered.menu is not None and not steered.menu.is_file():
+        check_writable(steered.menu, (".json",), "--menu")
+    steered.check()
+    goals, within, (hold, timeout) = aims.aimed_for(), aims.tolerances(), aims.seconds()
+    camera = seen.camera()
+    from plategait.control.goal import check_goals, check_reach
+    from plategait.control.menu import on_a_plate
+    from plategait.control.plant import Plant
+    from plategait.control.steer import steer as steered_by
+
+    true, believed = (on_a_plate(each) for each in lies_there.true_and_believed(scenario))
+    try:
+        check_goals(goals, true)
+        true = aims.laid(true)
+        menu = steered.menu_for(true, believed, machine)
+        check_reach(goals, menu)
+    except InputError as error:
+        raise aims.spelt(error) from None
+    plant = Plant([true], machine=machine, camera=camera, seeds=[steered.seed])
+    with report.progress_bar("steering") as progress:
+        (way,) = steered_by(plant, [goals], menu, method=steered.method, hold=hold, within=within,  # type: ignore[arg-type]
+                            timeout=timeout, progress=progress)  # fmt: skip
+    files.write(way, goals, true, within)
+    from plategait.control.report import camera_told, steering_told
+
+    numbers = steering_told(way, goals, true) | {
+        "machine": machine, "method": steered.method, "motions": len(menu), "hold_s": hold,
+        "within": {"mm": 1e3 * within[0], "deg": math.degrees(within[1])}, "timeout_s": timeout, "seed": steered.seed,
+        "camera": camera_told(camera),
+    }  # fmt: skip
+    report.print_json(numbers) if as_json else _print(numbers)
+    raise typer.Exit(0 if numbers["reached"] else 1)
+
+
+def _print(numbers: dict[str, Any]) -> None:
+    rows = [
+        [str(number), _pose(goal), "yes" if goal["reached"] else f"NO: {goal['status']}", _shown(goal["time_s"], "s"),
+         _shown(goal["error_mm"], "mm"), _shown(goal["error_deg"], "deg"), str(goal["pulses"])]
+        for number, goal in enumerate(numbers["goals"], start=1)
+    ]  # fmt: skip
+    title = f"{numbers['scenario']} on {numbers['machine']}, {numbers['method']}, {numbers['duration_s']:.1f} s in all"
+    report.print_table(title, ["", "goal", "reached", "after", "off by", "turned off by", "pulses"], rows)
+    missed = sum(not goal["reached"] for goal in numbers["goals"])
+    if missed:
+        print(f"NOT REACHED: {missed} of {len(rows)}; try more --timeout, a larger --plate-size or wider --within")
+
+
+def _pose(goal: dict[str, Any]) -> str:
+    angle = "any angle" if goal["angle_deg"] is None else f"{goal['angle_deg']:.4g} deg"
+    return f"{goal['x_mm']:.4g} mm, {goal['y_mm']:.4g} mm, {angle}"
+
+
+def _shown(value: float | None, unit: str) -> str:
+    return "–" if value is None else f"{value:.1f} {unit}"

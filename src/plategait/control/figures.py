@@ -1,0 +1,99 @@
+"""Pictures of a steering: how far the object is from its goal over time, and its way over the plate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from plategait.arrays import Array
+from plategait.control.goal import Goal
+from plategait.control.steer import Steering
+from plategait.model.scenario import Plate, Scenario
+from plategait.plots.style import BLUE, GREEN, GREY, RED, label_axes, new_figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+# Length of the strokes that show angles, and what is shown around the way, mm.
+_STROKE, _ROUND = 6.0, 12.0
+
+
+def plot_steering(
+    way: Steering, goals: Sequence[Goal], scenario: Scenario, within: tuple[float, float], title: str = ""
+) -> Figure:
+    """Distance and angle from the goal over time, with the tolerances, and the way over the plate.
+
+    Parameters
+    ----------
+    way : Steering
+    goals : sequence of Goal
+    scenario : Scenario
+        With its plate.
+    within : (float, float)
+        How near counts as there, m and rad.
+    title : str
+    """
+    figure = new_figure(11.0, 4.8)
+    axes = figure.subplot_mosaic([["distance", "plate"], ["turn", "plate"]], width_ratios=(1.25, 1))
+    above, below, plate = axes["distance"], axes["turn"], axes["plate"]
+    above.sharex(below)
+    off = way.poses - way.aims
+    distance = 1e3 * np.hypot(off[:, 0], off[:, 1])
+    turn = np.degrees(np.abs(np.remainder(off[:, 2] + math.pi, 2 * math.pi) - math.pi))
+    _draw_error(above, way, distance, 1e3 * within[0])
+    _draw_error(below, way, turn, math.degrees(within[1]))
+    label_axes(above, "", "distance to the goal (mm)")
+    label_axes(below, "time (s)", "angle from it (deg)")
+    if not np.isfinite(turn).any():
+        below.text(0.5, 0.5, "any angle", transform=below.transAxes, ha="center", color=GREY)
+    draw_plate(plate, scenario, np.concatenate([way.poses, [goal.pose for goal in goals]]))
+    plate.plot(*(1e3 * way.poses[:, :2].T), color=BLUE, lw=1)
+    _mark(plate, way.poses[0], GREY, "start")
+    _mark(plate, way.poses[-1], BLUE, "")
+    for number, goal in enumerate(goals):
+        reached = number < len(way.arrivals) and way.arrivals[number].reached
+        name = "goal" if len(goals) == 1 else str(number + 1)
+        _mark(plate, goal.pose, GREEN if reached else RED, name, within[0])
+    figure.suptitle(title, fontsize=10)
+    return figure
+
+
+def _draw_error(axes: Axes, way: Steering, error: Array, within: float) -> None:
+    axes.semilogy(way.times, np.maximum(error, 1e-2), color=BLUE, lw=1.2)
+    axes.axhline(within, color=GREY, lw=0.8, ls="--")
+    for time in way.times[1:][np.any(np.diff(np.nan_to_num(way.aims), axis=0) != 0, axis=1)]:
+        axes.axvline(float(time), color=GREY, lw=0.6)
+    axes.set_ylim(bottom=0.1)
+
+
+def draw_plate(axes: Axes, scenario: Scenario, poses: Array) -> None:
+    """Rim of the plate and the bar's axis, mm, so far as poses (n, 3) lie."""
+    from matplotlib.patches import Rectangle
+
+    plate = scenario.plate or Plate()
+    length, width = 1e3 * plate.length, 1e3 * plate.width
+    axes.add_patch(Rectangle((-length / 2, -width / 2), length, width, fill=False, ec=GREY, lw=1.2))
+    axes.plot([-length / 2, length / 2], [0, 0], color=GREY, lw=0.8, ls="-.")
+    low, high = 1e3 * np.nanmin(poses[:, :2], axis=0), 1e3 * np.nanmax(poses[:, :2], axis=0)
+    middle, half = (low + high) / 2, 0.5 * float((high - low).max()) + _ROUND
+    axes.set_xlim(middle[0] - half, middle[0] + half)
+    axes.set_ylim(middle[1] - half, middle[1] + half)
+    axes.set_aspect("equal")
+    label_axes(axes, "along the bar (mm)", "across it (mm)")
+
+
+def _mark(axes: Axes, pose: Array, colour: str, name: str, within: float = 0.0) -> None:
+    """A pose as a dot with a stroke the way it looks, and a circle of what counts as there."""
+    from matplotlib.patches import Circle
+
+    x, y = 1e3 * pose[:2]
+    axes.plot(x, y, "o", ms=4, color=colour)
+    if math.isfinite(pose[2]):
+        axes.plot([x, x + _STROKE * math.cos(pose[2])], [y, y + _STROKE * math.sin(pose[2])], color=colour, lw=1.5)
+    if within:
+        axes.add_patch(Circle((x, y), 1e3 * within, fill=False, ec=colour, lw=0.8))
+    axes.annotate(name, (x, y), (6, -12), textcoords="offset points", fontsize=8, color=colour)

@@ -1,0 +1,91 @@
+"""`plategait steer` as a user types it. Motions are found once, in few runs, and kept for all tests."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from plategait.control import menu, menu_file
+
+QUICK = ("--generations", "0", "--menu", "menu.json", "--json")
+
+
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory) -> Path:
+    """A menu from a third of the motions and runs that are usual."""
+    path = tmp_path_factory.mktemp("steer") / "menu.json"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(menu, "_FIRST", 64)
+        menu_file.kept_menu(path, menu.on_a_plate("cheese"), generations=0)
+    return path
+
+
+@pytest.fixture
+def folder(kept, tmp_path) -> Path:
+    (tmp_path / "menu.json").write_bytes(kept.read_bytes())
+    return tmp_path
+
+
+def test_steer_says_of_each_goal_how_near_the_object_came(called, folder):
+    done = called("steer", *QUICK, "--to", "0 mm, 4 mm", "--to", "0 mm, 30 mm, 90 deg", "--hold", "0.2 s",
+                  "--timeout", "0.5 s", "--out", "way.csv", "--plot", "way.png", cwd=folder, check=1)  # fmt: skip
+    told = json.loads(done.stdout)
+    first, second = told["goals"]
+    assert (first["angle_deg"], first["error_deg"]) == (None, None)
+    # 30 mm and a quarter of a turn within half a second is more than the plate can do.
+    assert not second["reached"]
+    assert second["status"] == "not within the time"
+    assert (second["y_mm"], second["angle_deg"]) == pytest.approx((30, 90))
+    way = np.genfromtxt(folder / "way.csv", delimiter=",", names=True)
+    assert told["duration_s"] == pytest.approx(float(way["time_s"][-1]), abs=1e-5)
+    off = math.hypot(way["x_mm"][-1] - 0, way["y_mm"][-1] - 30)
+    assert second["error_mm"] == pytest.approx(off, abs=1e-3)
+    assert (folder / "way.png").stat().st_size > 10_000
+
+
+def test_a_goal_where_the_object_lies_is_held(called, folder):
+    (folder / "goals.csv").write_text("x_mm,y_mm,angle_deg\n5,-5,\n")
+    done = called("steer", *QUICK, "--goals", "goals.csv", "--from", "5 mm, -5 mm, 20 deg", "--hold", "0.3 s",
+                  "--plate-size", "200 mm", cwd=folder, check=0)  # fmt: skip
+    told = json.loads(done.stdout)
+    assert told["reached"] is True
+    (goal,) = told["goals"]
+    assert (goal["reached"], goal["time_s"], goal["pulses"]) == (True, 0.0, 0)
+    assert told["start"] == pytest.approx({"x_mm": 5, "y_mm": -5, "angle_deg": 20}, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        ((), "--to: got nothing, must be a pose"),
+        (("--to", "90 mm, 0 mm"), "within 55 mm along the bar and 55 mm across it"),
+        (("--to", "1 mm, 2 mm, 3 mm"), "--to: got '3 mm'"),
+        (("--to", "0 mm, 0 mm", "--from", "0 mm, 99 mm"), "--from: got '(0, 99) mm'"),
+        (("--to", "0 mm, 0 mm", "--method", "magic"), "one of blend, open-loop, one-pulse"),
+        (("--to", "0 mm, 0 mm", "--camera-rate", "0 Hz"), "--camera-rate: got '0 Hz'"),
+        (("--to", "0 mm, 0 mm", "--missed", "100%"), "--missed: got '100'"),
+        (("--to", "0 mm, 0 mm", "--dark", "2:1 s"), "--dark: got"),
+        (("--to", "0 mm, 0 mm", "--hold", "40 s"), '--timeout "70 s"'),
+        (("--to", "0 mm, 0 mm", "--plate-size", "80 mm"), "--plate-size"),
+        (("--to", "0 mm, 0 mm", "--menu", "menu.json", "--seed", "9"), "menu.json, whose seed differ"),
+        (("--to", "0 mm, 0 mm", "--menu", "goals.csv"), "a menu that plategait steer --menu wrote"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_is_refused_with_what_to_type(typed, said, called, folder):
+    (folder / "goals.csv").write_text("x_mm,y_mm\n1,2\n")
+    done = called("steer", "cheese", "--generations", "0", *typed, cwd=folder, check=2)
+    assert said in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_a_menu_is_kept_as_it_was_found(kept):
+    again = menu_file.kept_menu(kept, menu.on_a_plate("cheese"), generations=0)
+    told = json.loads(kept.read_text())
+    assert len(again) == len(told["motions"])
+    assert again.motions[0].terms() == ()
+    np.testing.assert_array_equal(again.response.rates, told["response"]["rates"])
+    assert again.response.failed.dtype == bool
