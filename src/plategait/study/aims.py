@@ -54,7 +54,7 @@ def residuals(
         Rate at A_p = 12 deg and 12 Hz, deg/s; NaN where it fails.
     gaits : (n, 5) array
         See `plategait.study.evaluation.Evaluation`: each is a deviation.
-    uncertainty : (curves, outputs) array, optional
+    uncertainty : (curves, outputs) or (n, curves, outputs) array, optional
         Of the fits, relative, where they come from a surrogate: added in quadrature to what they may miss.
     missing : (n, curves) array, optional
         Chance that a curve has no fit, where a surrogate tells it; by default 1 where `fits` has none.
@@ -63,8 +63,8 @@ def residuals(
     f0, ratio, peak = (fits[:, :, i] for i in range(len(OUTPUTS)))
     missing = np.isnan(f0).astype(float) if missing is None else missing
     blocks = [
-        np.nan_to_num((f0 / PUBLISHED_F0 - 1) / np.hypot(MAY_MISS["f0_hz"], error[:, 0])),
-        np.nan_to_num((ratio / PUBLISHED_RATIO - 1) / np.hypot(MAY_MISS["b_over_f0"], error[:, 1])),
+        np.nan_to_num((f0 / PUBLISHED_F0 - 1) / np.hypot(MAY_MISS["f0_hz"], error[..., 0])),
+        np.nan_to_num((ratio / PUBLISHED_RATIO - 1) / np.hypot(MAY_MISS["b_over_f0"], error[..., 1])),
         math.sqrt(2) * NO_FIT * missing,
     ]
     for (angle, omega), printed in PEAKS.items():

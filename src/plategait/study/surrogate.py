@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
 
 import numpy as np
 
@@ -37,8 +36,8 @@ class Surrogate:
 
 def _terms(x: Array) -> Array:
     """(n, terms) constant, linear, squares and products."""
-    products = [x[:, i] * x[:, j] for i, j in combinations(range(x.shape[1]), 2)]
-    return np.column_stack([np.ones(len(x)), x, x**2, *products])
+    one, other = np.triu_indices(x.shape[1], 1)
+    return np.column_stack([np.ones(len(x)), x, x**2, x[:, one] * x[:, other]])
 
 
 def learn(x: Array, outputs: Array, weight: Array | None = None) -> Surrogate:

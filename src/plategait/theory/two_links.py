@@ -127,7 +127,10 @@ def two_link_rate(strip: Strip, joints: Joints, *, centripetal: bool = True) -> 
         first = tip + 1.5 * weight * np.cos(phi_1) + inertia * sin_2 * v_2 * (v_1 + 0.5 * v_2) - k_1 * phi_1 - c_1 * v_1
         second = tip - coupling * sin_2 * v_1 * v_1 - joints.k_b * phi_2 - joints.c_b * v_2
         determinant = a * c - b * b
-        return np.stack([v_1, v_2, (c * first - b * second) / determinant, (a * second - b * first) / determinant])
+        change = np.empty_like(state)
+        change[0], change[1] = v_1, v_2
+        change[2], change[3] = (c * first - b * second) / determinant, (a * second - b * first) / determinant
+        return change
 
     return rate
 
@@ -150,7 +153,9 @@ def driven_rate(
         moment = 0.5 * weight * np.cos(phi_1[half_step] + phi_2) - joints.k_b * phi_2 - joints.c_b * v_2
         moment -= 0.25 * inertia * (1 + 2 * np.cos(phi_2)) * acc_1[half_step]
         moment -= coupling * np.sin(phi_2) * rate_1[half_step] ** 2
-        return np.stack([v_2, moment / (0.25 * inertia)])
+        change = np.empty_like(state)
+        change[0], change[1] = v_2, moment / (0.25 * inertia)
+        return change
 
     return rate
 
