@@ -16,6 +16,9 @@ BIN := .venv/bin
 PYTEST := OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 
+# Compiled modules are kept, whatever the environment says: each command that a test starts would compile all anew.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: demo test test-fast test-kernels lint bench bench-peers fuzz sanitize clean always
 
 $(BIN)/python:

@@ -109,9 +109,10 @@ def test_the_same_seed_gives_the_same_samples(slow, truth):
 
 
 def test_an_outlier_is_named_and_does_no_harm(truth):
-    curve = measured(truth, 0.02, 4)
+    # Six rates are enough for two unknowns, and cost half of what ten do.
+    curve = measured(truth, 0.02, 4, FREQUENCIES[1:7])
     spoiled = curve.spin_rate_deg_s.copy()
-    spoiled[4] *= 1.6
+    spoiled[3] *= 1.6
     estimate = estimate_parameters(
         Curve("s", curve.frequency_hz, spoiled, curve.spin_rate_sd_deg_s, curve.gait, curve.failure), BASE,
         friction_ratio=truth[2], model_error=0, fixed=("bending_damping", "plate_height"),

@@ -20,6 +20,7 @@ def limited(limit: int, *arguments: str, cwd: Path, of: int = resource.RLIMIT_FS
     """The one line of a command that may write files of so many bytes only, which fail like those on a full disk."""
     done = subprocess.run(
         [COMMAND, *arguments], cwd=cwd, capture_output=True, text=True, timeout=120, check=False,
+        env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1"},
         preexec_fn=lambda: resource.setrlimit(of, (limit, limit)),
     )  # fmt: skip
     assert done.returncode == 2, done.stderr
@@ -41,7 +42,9 @@ def limited(limit: int, *arguments: str, cwd: Path, of: int = resource.RLIMIT_FS
     ],
     ids=lambda arguments: f"{arguments[0]} {arguments[-1]}",
 )
-def test_a_full_disk_is_one_line_and_leaves_nothing(called, arguments, tmp_path):
+def test_a_full_disk_is_one_line_and_leaves_nothing(called, arguments, tmp_path, monkeypatch):
+    # Python keeps compiled modules of which only the beginning could be written, and fails on them ever after.
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
     limit = 1000 if arguments[-1].endswith("csv") else 4096
     # Here, and not in a process of its own, which loads what draws and films for seconds.
     was = resource.getrlimit(resource.RLIMIT_FSIZE)
