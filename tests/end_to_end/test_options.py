@@ -93,9 +93,9 @@ MOVES = typed(
 )  # fmt: skip
 STEER = typed(
     machine="shaker.toml", to="0 mm, 5 mm", _from="0 mm, 1 mm", hold="1 s", within="2 mm", timeout="20 s",
-    plate_size="300 mm", _with="measured.toml", camera_rate="30 Hz", camera_noise="1 mm, 1 deg", camera_delay="10 ms",
-    missed="10%", dark="1:2 s", method="one-pulse", generations="2", menu="menu.json", seed="3", out="o.csv",
-    plot="p.png", json="",
+    plate_size="300 mm", _with="measured.toml", through_pixels="", camera_rate="30 Hz", camera_noise="1 mm, 1 deg",
+    camera_delay="10 ms", missed="10%", dark="1:2 s", method="one-pulse", generations="2", menu="menu.json", seed="3",
+    out="o.csv", plot="p.png", json="",
 )  # fmt: skip
 
 MODES = [
@@ -123,6 +123,8 @@ MODES = [
     Mode(("moves", "--plot", "q.png"), typed(beside="six.json"), ()),
     Mode(("steer", "--to", "0 mm, 0 mm"), STEER, ("--goals",)),
     Mode(("steer", "--goals", "goals.csv"), typed(goals="other.csv"), ("--to",)),
+    Mode(("steer", "--to", "0 mm, 0 mm", "--through-pixels"),
+         typed(camera_rate="60 Hz", camera_delay="10 ms", dark="1:2 s"), ("--camera-noise", "--missed")),
     Mode(("scenario",), typed(print="cheese", json="")),
     Mode(("scenario", "cheese"), JSON),
     Mode(("scenario", "--print", "cheese"), {}),
@@ -350,6 +352,7 @@ def answers(files) -> dict[str, object]:
         "plategait.moves.figures.plot_atlas": Figure(),
         "plategait.control.menu_file.kept_menu": menu,
         "plategait.control.goal.check_reach": None,
+        "plategait.control.pixels.PixelCamera": None,
         "plategait.control.plant.Plant": None,
         "plategait.control.steer.steer": [way],
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),

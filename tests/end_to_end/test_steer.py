@@ -58,6 +58,17 @@ def test_a_goal_where_the_object_lies_is_held(called, folder):
     assert told["start"] == pytest.approx({"x_mm": 5, "y_mm": -5, "angle_deg": 20}, abs=1e-6)
 
 
+def test_the_camera_may_be_pixels_that_a_tracker_reads(called, folder):
+    done = called("steer", *QUICK, "--to", "5 mm, -5 mm", "--from", "5 mm, -5 mm, 20 deg", "--hold", "0.3 s",
+                  "--through-pixels", "--camera-rate", "20 Hz", "--out", "way.csv", cwd=folder, check=0)  # fmt: skip
+    told = json.loads(done.stdout)
+    assert (told["through_pixels"], told["camera"]["rate_hz"]) == (True, 20)
+    way = np.genfromtxt(folder / "way.csv", delimiter=",", names=True)
+    # A pixel is half a millimetre: what is seen is near to the truth, and never the truth.
+    off = np.hypot(way["seen_x_mm"] - way["x_mm"], way["seen_y_mm"] - way["y_mm"])
+    assert 1e-6 < off.min() <= off.max() < 0.8
+
+
 @pytest.mark.parametrize(
     ("typed", "said"),
     [
@@ -69,6 +80,7 @@ def test_a_goal_where_the_object_lies_is_held(called, folder):
         (("--to", "0 mm, 0 mm", "--camera-rate", "0 Hz"), "--camera-rate: got '0 Hz'"),
         (("--to", "0 mm, 0 mm", "--missed", "100%"), "--missed: got '100'"),
         (("--to", "0 mm, 0 mm", "--dark", "2:1 s"), "--dark: got"),
+        (("--to", "0 mm, 0 mm", "--through-pixels", "--missed", "1%"), "--missed: got '1%', must be left out with"),
         (("--to", "0 mm, 0 mm", "--hold", "40 s"), '--timeout "70 s"'),
         (("--to", "0 mm, 0 mm", "--plate-size", "80 mm"), "--plate-size"),
         (("--to", "0 mm, 0 mm", "--menu", "menu.json", "--seed", "9"), "menu.json, whose seed differ"),

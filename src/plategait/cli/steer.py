@@ -109,6 +109,7 @@ def steer(
     camera = seen.camera()
     from plategait.control.goal import check_goals, check_reach
     from plategait.control.menu import on_a_plate
+    from plategait.control.pixels import SNAPSHOTS, PixelCamera
     from plategait.control.plant import Plant
     from plategait.control.steer import steer as steered_by
 
@@ -120,17 +121,19 @@ def steer(
         check_reach(goals, menu)
     except InputError as error:
         raise aims.spelt(error) from None
-    plant = Plant([true], machine=machine, camera=camera, seeds=[steered.seed])
+    plant = Plant([true], machine=machine, camera=camera, seeds=[steered.seed],
+                  snapshot_interval=SNAPSHOTS if seen.through_pixels else 0.0)  # fmt: skip
+    look = PixelCamera(plant, seed=steered.seed) if seen.through_pixels else None
     with report.progress_bar("steering") as progress:
         (way,) = steered_by(plant, [goals], menu, method=steered.method, hold=hold, within=within,  # type: ignore[arg-type]
-                            timeout=timeout, progress=progress)  # fmt: skip
+                            timeout=timeout, look=look, progress=progress)  # fmt: skip
     files.write(way, goals, true, within)
     from plategait.control.report import camera_told, steering_told
 
     numbers = steering_told(way, goals, true) | {
         "machine": machine, "method": steered.method, "motions": len(menu), "hold_s": hold,
         "within": {"mm": 1e3 * within[0], "deg": math.degrees(within[1])}, "timeout_s": timeout, "seed": steered.seed,
-        "camera": camera_told(camera),
+        "camera": camera_told(camera), "through_pixels": seen.through_pixels,
     }  # fmt: skip
     report.print_json(numbers) if as_json else _print(numbers)
     raise typer.Exit(0 if numbers["reached"] else 1)

@@ -146,29 +146,49 @@ def _check_room(scenario: Scenario) -> None:
 class CameraOptions:
     """What is seen of the object, as typed."""
 
-    camera_rate: Annotated[str, typer.Option("--camera-rate", help="Frames per second.")] = "60 Hz"
+    through_pixels: Annotated[
+        bool,
+        typer.Option(
+            "--through-pixels",
+            help="Poses as track reads them in rendered frames of the plate, with their own noise and misses.",
+        ),
+    ] = False
+    camera_rate: Annotated[
+        str | None, typer.Option("--camera-rate", help='Frames per second: "60 Hz", or 30 Hz through pixels.')
+    ] = None
     camera_noise: Annotated[
-        str, typer.Option("--camera-noise", help='Standard deviation of a place, and of an angle: "0.5 mm, 1 deg".')
-    ] = "0.5 mm, 1 deg"
+        str | None,
+        typer.Option("--camera-noise", help='Standard deviation of a place, and of an angle: "0.5 mm, 1 deg".'),
+    ] = None
     camera_delay: Annotated[str, typer.Option("--camera-delay", help="From a frame until its pose is known.")] = "30 ms"
-    missed: Annotated[str, typer.Option("--missed", help="Chance of each frame to be missed: 0.05 or 5%.")] = "5%"
+    missed: Annotated[
+        str | None, typer.Option("--missed", help="Chance of each frame to be missed: 0.05 or 5%, which it is.")
+    ] = None
     dark: Annotated[
         list[str] | None, typer.Option("--dark", help='Times between which it sees nothing: "1:1.5 s". Repeatable.')
     ] = None
 
     def camera(self) -> Camera:
-        """Camera in SI."""
-        from plategait.control.camera import Camera
+        """Camera in SI: of one through pixels what the controller knows of it."""
+        from plategait.control.camera import PIXELS, Camera
 
-        noise = [part.strip() for part in self.camera_noise.split(",")]
-        if len(noise) != 2:
+        usual = PIXELS if self.through_pixels else Camera()
+        if self.through_pixels:
+            for name, given in (("--camera-noise", self.camera_noise), ("--missed", self.missed)):
+                if given is not None:
+                    raise InputError(name, given, "left out with --through-pixels, whose frames have their own",
+                                     "--camera-rate or --camera-delay")  # fmt: skip
+        noise = [part.strip() for part in (self.camera_noise or "").split(",")]
+        if self.camera_noise is not None and len(noise) != 2:
             raise InputError("--camera-noise", self.camera_noise, "a length and an angle", '"0.5 mm, 1 deg"')
+        place, angle = noise if len(noise) == 2 else (usual.position_noise, usual.angle_noise)
+        missed = usual.missed if self.missed is None else read_share(self.missed, "--missed", _SHARE)
         spelt = {"rate": "--camera-rate", "position_noise": "--camera-noise", "angle_noise": "--camera-noise",
                  "delay": "--camera-delay", "missed": "--missed", "dark": "--dark"}  # fmt: skip
         try:
             return Camera(
-                rate=self.camera_rate, position_noise=noise[0], angle_noise=noise[1], delay=self.camera_delay,
-                missed=read_share(self.missed, "--missed", _SHARE),
+                rate=usual.rate if self.camera_rate is None else self.camera_rate, position_noise=place,
+                angle_noise=angle, delay=self.camera_delay, missed=missed,
                 dark=tuple(parse_range(typed, _DARK, "--dark") for typed in self.dark or []),
             )  # type: ignore[arg-type]  # fmt: skip
         except InputError as error:

@@ -55,6 +55,8 @@ class Camera(Model):
 
 PERFECT = Camera(position_noise=0.0, angle_noise=0.0, delay=0.0, missed=0.0)
 """A camera that tells where a sheet lies now."""
+PIXELS = Camera(rate=30.0, position_noise=0.3e-3, angle_noise=math.radians(0.3), missed=0.0)
+"""What a controller is to know of poses that are read in pixels (`plategait.control.pixels`): what they scatter by."""
 
 
 @dataclass(frozen=True, eq=False)

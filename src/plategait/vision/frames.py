@@ -66,6 +66,16 @@ class Frame:
         return cv2.cvtColor(planes.reshape(height * 3 // 2, width), cv2.COLOR_YUV2BGR_I420).astype(np.uint8, copy=False)
 
 
+def frame_of(bgr: Picture, index: int, time: float) -> Frame:
+    """Frame of a picture (height, width, 3) in blue, green and red, of even height and width."""
+    import cv2
+
+    height, width = bgr.shape[:2]
+    planes = cv2.cvtColor(bgr, cv2.COLOR_BGR2YUV_I420).astype(np.uint8, copy=False)
+    u, v = (plane.reshape(height // 2, width // 2) for plane in np.split(planes[height:].ravel(), 2))
+    return Frame(index, time, planes[:height], (u, v))
+
+
 @dataclass(eq=False)
 class Video:
     """An open video: its facts, and its frames to be taken once.
@@ -279,12 +289,7 @@ def _camera(index: int, seconds: float) -> Iterator[Video]:
             def read(video: Video) -> Iterator[Frame]:
                 count = 0
                 for moment, bgr in pictures:
-                    planes = cv2.cvtColor(bgr[:height, :width], cv2.COLOR_BGR2YUV_I420).astype(np.uint8, copy=False)
-                    quarter = height * width // 4
-                    flat = planes.ravel()
-                    u = flat[height * width : height * width + quarter].reshape(height // 2, width // 2)
-                    v = flat[height * width + quarter :].reshape(height // 2, width // 2)
-                    yield Frame(count, moment, planes[:height], (u, v))
+                    yield frame_of(bgr[:height, :width], count, moment)
                     count += 1
                 if count == 0:
                     raise InputError("video", index, "a camera that gives pictures", _WORKS)
