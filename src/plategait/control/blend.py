@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from plategait.arrays import Array
 from plategait.control.goal import WITHIN, WITHIN_ANGLE
@@ -29,7 +30,9 @@ _OVER = 5e-3
 # Standard deviations that are kept from the edge.
 _SURE = 2.0
 # First pulses that a second one is thought of after.
-_KEPT = 20
+_KEPT = 24
+_ALIKE = 4
+_DEPTH = 4
 _LATE = 4
 
 
@@ -122,7 +125,7 @@ class BlendingController:
     def there(self, pose: Array) -> bool:
         """Whether a pose is as near as the controller brings an object."""
         way = self._way(pose)
-        return bool(math.hypot(way[0], way[1]) < 0.66 * WITHIN and abs(way[2]) < 0.66 * WITHIN_ANGLE)
+        return bool(math.hypot(way[0], way[1]) < 0.85 * WITHIN and abs(way[2]) < 0.85 * WITHIN_ANGLE)
 
     def outside(self, poses: Array, spread: Array) -> Array:
         """(…,) what poses near the edge or beyond count, s."""
@@ -143,13 +146,29 @@ class BlendingController:
             return 0, ends[0]
         alone = self.costs()
         own = alone + self.outside(ends, pulses.spread)
-        left = self.left(ends)
-        total = own + left
-        kept = np.argsort(own + 0.6 * left)[:_KEPT]
-        from_rest = np.concatenate([np.ones((len(kept), 1)), ends[kept]], axis=1)
-        second = np.einsum("kij,nj->nki", pulses.ends[:, :, :4], from_rest)
-        after = alone + self.outside(second, pulses.spread) + self.left(second)
-        total[kept] = np.minimum(total[kept], own[kept] + after.min(axis=1) + _PULSE)
+        total = own + self.left(ends)
+        # Ways of further pulses, each kept with the pulse that it begins with: a beam search.
+        first, paid, poses = np.arange(len(own)), own, ends
+        for _ in range(_DEPTH - 1):
+            kept = self._beam(first, paid, poses)
+            first, from_rest = first[kept], np.concatenate([np.ones((len(kept), 1)), poses[kept]], axis=1)
+            poses = np.einsum("kij,nj->nki", pulses.ends[1:, :, :4], from_rest)
+            paid = paid[kept][:, None] + alone[1:] + self.outside(poses, pulses.spread[1:])
+            whole = paid + self.left(poses)
+            np.minimum.at(total, first, whole.min(axis=1))
+            first, paid, poses = np.repeat(first, whole.shape[1]), paid.ravel(), poses.reshape(-1, 3)
         total[0] = np.inf
         best = int(total.argmin())
         return best, ends[best]
+
+    def _beam(self, first: NDArray[np.int64], paid: Array, poses: Array) -> NDArray[np.int64]:
+        """Ways to go on with: the most promising ones, few of them with the same pulse first."""
+        promise = paid + 0.8 * self.left(poses)
+        promise[first == 0] = np.inf
+        order = np.argsort(promise)[: 20 * _KEPT]
+        of_first = first[order]
+        turn = np.zeros(len(order), dtype=np.int64)
+        seen: dict[int, int] = {}
+        for i, pulse in enumerate(of_first.tolist()):
+            turn[i] = seen[pulse] = seen.get(pulse, 0) + 1
+        return order[turn <= _ALIKE][:_KEPT]

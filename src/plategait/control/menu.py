@@ -27,6 +27,8 @@ PLATE = 0.2
 """Length and width of the plate where the scenario has none, m."""
 RAMP = 0.06
 """Time in which the plate goes over from one motion to the next, s."""
+ACCELERATION = 20.0
+"""Of a plate's sines, m/s²: harder ones are faster, but fold sheets and throw them off the edge now and then."""
 GENERATIONS = 3
 """Of motions about the best ones."""
 _FIRST, _CHILDREN = 192, 112
@@ -101,6 +103,7 @@ def menu_of(
     scenario: Scenario | Preset | Path | str = "cheese",
     machine: Machine | Path | str = "source-robot",
     *,
+    acceleration: float | str = ACCELERATION,
     generations: int = GENERATIONS,
     seed: int = 0,
     engine: Engine = "cpu",
@@ -117,6 +120,8 @@ def menu_of(
     scenario : Scenario, or what tells one
         The object and its plate; 200 mm by 200 mm where it has none.
     machine : Machine, its name or file
+    acceleration : float or str
+        The most that sines may give the middle of the plate, and its surface 50 mm off the axis it turns about, m/s².
     generations : int
         Of motions about the best ones; fewer go less far.
     seed : int
@@ -133,7 +138,7 @@ def menu_of(
     check_whole("generations", generations, 0, 100)
     placed = on_a_plate(scenario)
     reach = float(min(0.75 * room_of(placed).min(), 0.2))
-    drive = drive_of(placed, machine_of(machine))
+    drive = drive_of(placed, machine_of(machine), acceleration)
     still = drive.base.replace(angle=0.0, stroke=0.0)
     generator = np.random.default_rng(seed)
     shares = qmc.Sobol(len(drive), rng=np.random.default_rng(seed)).random_base2(8)[:_FIRST]
