@@ -287,8 +287,9 @@ def small_atlas() -> object:
 def small_steering() -> tuple[object, object]:
     """A menu of one motion, and an object that lies where it is to lie."""
     from plategait.control.goal import Goal
-    from plategait.control.menu import Menu, drive_of, on_a_plate
+    from plategait.control.menu import Menu, drive_of
     from plategait.control.response import resting
+    from plategait.control.room import on_a_plate
     from plategait.control.steer import Arrival, Steering
     from plategait.model.machine import machine_of
 

@@ -5,33 +5,40 @@ import math
 import numpy as np
 import pytest
 
+import plategait.control.menu as menu_module
 from plategait.control.camera import PERFECT, Camera
 from plategait.control.goal import Goal, check_goals, off, read_goal
+from plategait.control.identify import TAIL, PulseRuns, fitted
 from plategait.control.learn import Learner
-from plategait.control.menu import menu_of, on_a_plate
+from plategait.control.menu import menu_of
 from plategait.control.observer import Observer
 from plategait.control.plant import Plant
+from plategait.control.pulse import Pulses
 from plategait.control.reach import Reach
-from plategait.control.response import DELAY, LONGEST, TAIL, TICK, PulseRuns, Response, fitted, resting
+from plategait.control.response import ACROSS, DELAY, LONGEST, TICK, Field, Response, resting
+from plategait.control.room import on_a_plate
 from plategait.control.steer import steer
+from plategait.control.value import TimeToGo
 from plategait.errors import InputError
 
-RATES = np.array([[0.02, 0.0, -1.5], [0.05, 0.1, -0.2], [1.0, 0.0, 3.0]])
+# Of v_x, v_y and the turning: everywhere, and by each 50 mm across the bar and its square.
+RATES = np.array([[0.02, -0.075, 0.0], [0.05, -0.01, 0.03], [1.0, 0.15, -0.5]])
+FIELD = Field(ACROSS[:3])
 
 
 def response_of(rates: np.ndarray, lag: float = 0.1) -> Response:
-    still = resting()
+    still = resting(1, FIELD)
     return Response(
         np.concatenate([still.rates, rates[None]]), np.concatenate([still.lags, np.full((1, 3), lag)]),
-        np.full((2, 3), 1e-3), np.zeros(2, dtype=bool),
+        np.full((2, 3), 1e-3), np.zeros(2, dtype=bool), FIELD,
     )  # fmt: skip
 
 
 def gone(response: Response, start: np.ndarray, ticks: int) -> np.ndarray:
-    state, track = np.array([1.0, *start, 0, 0, 0]), [start]
+    state, track = np.array([*start, 0, 0, 0]), [start]
     for k in range(LONGEST + TAIL + DELAY):
-        state = response.maps[1 if DELAY <= k < ticks + DELAY else 0] @ state
-        track.append(state[1:4])
+        state = response.step(1 if DELAY <= k < ticks + DELAY else 0, state)
+        track.append(state[:3])
     return np.array(track)
 
 
@@ -42,38 +49,76 @@ def test_response_is_found_again_from_pulses_that_follow_it():
     tracks = np.array([gone(true, start, n) for start, n in zip(starts, ticks, strict=True)])
     room = np.full(2, np.inf)
     run = PulseRuns(tracks, np.ones(12, dtype=np.int64), ticks, np.ones(12, dtype=bool), room)
-    found = fitted(run, 2)
+    found = fitted(run, 2, FIELD)
     np.testing.assert_allclose(found.lags[1], 0.1)
-    # The fit takes an object's place at the begin of each tick, as the maps do: only rounding differs.
+    # The fit takes an object's place at the begin of each tick, as the steps do: only rounding differs.
     np.testing.assert_allclose(found.rates[1], RATES, atol=1e-8)
     assert found.spread[1].max() < 1e-9
     assert not found.failed.any()
+
+
+def test_slopes_are_those_of_the_steps():
+    response = Response(*(getattr(response_of(RATES), name) for name in ("rates", "lags", "spread", "failed")), FIELD)
+    state, small = np.array([0.01, -0.02, 0.3, 0.05, -0.02, 1.0]), 1e-6
+    found = np.column_stack([
+        (response.step(1, state + small * unit) - response.step(1, state - small * unit)) / (2 * small)
+        for unit in np.eye(6)
+    ])  # fmt: skip
+    # Central differences of a parabola are exact but for rounding.
+    np.testing.assert_allclose(response.slope(1, state), found, atol=1e-8)
+
+
+def test_pulses_end_where_the_response_brings_an_object():
+    response = response_of(RATES)
+    pulses, state = Pulses(response), np.array([0.01, -0.02, 0.3, 0.0, 0.0, 0.0])
+    for ends, ticks in zip(pulses.ends(state[:3])[1:], pulses.ticks[1:], strict=True):
+        moved = pulses.going(1, state, int(ticks))[-1] - state[:3]
+        # A parabola stands for what is one but for how far the object goes meanwhile: a few hundredths of its way.
+        np.testing.assert_allclose(ends - state[:3], moved, rtol=0.04)
+
+
+def test_time_to_go_is_what_the_pulses_take():
+    """Two motions each way along every component: a way takes as many pulses as it is long, whatever the order."""
+    rates = np.concatenate([np.diag([0.1, 0.1, 2.0]), -np.diag([0.1, 0.1, 2.0])])[:, :, None] * [1.0, 0.0, 0.0]
+    still = resting(1, FIELD)
+    response = Response(np.concatenate([still.rates, rates]), np.full((7, 3), 0.02), np.zeros((7, 3)),
+                        np.zeros(7, dtype=bool), FIELD)  # fmt: skip
+    pulses = Pulses(response)
+    costs = pulses.times + 0.2
+    to_go = TimeToGo(pulses, costs, np.array([0.0, 0.0, 0.0]), 0.05)
+    poses = np.array([[0.06, 0.0, 0.0], [0.0, 0.04, 0.0], [0.0, 0.0, 2.0], [0.06, 0.04, 2.0]])
+    times = to_go.of(poses)
+    # At the best share of time in motion, 26 ticks of each 26 + 12: 0.68 of the speed, and near the goal, where short
+    # pulses count, 8 of 20. The grid tells it to a tenth.
+    for time, least, most in zip(times[:3], (0.6, 0.4, 1.0), (1.6, 1.2, 2.6), strict=True):
+        assert least / 0.68 * 0.9 <= time <= most
+    assert times[3] == pytest.approx(times[:3].sum(), rel=0.15)
 
 
 def test_observer_follows_what_the_plate_was_told_through_delay_and_missing_frames():
     response = response_of(RATES)
     draw = np.random.default_rng(2)
     observer = Observer(Camera(), response, np.zeros(3))
-    state, states = np.array([1.0, 0, 0, 0, 0, 0, 0]), []
+    state, states = np.zeros(6), []
     held = [0] * DELAY
     for k in range(60):
         states.append(state)
         if k >= 2 and draw.random() > 0.05:
             noise = draw.standard_normal(3) * [0.5e-3, 0.5e-3, math.radians(1)]
-            observer.saw(states[k - 2][1:4] + noise, (k - 2) * TICK)
+            observer.saw(states[k - 2][:3] + noise, (k - 2) * TICK)
         motion = 1 if 10 <= k < 40 else 0
         observer.told(motion)
         held.append(motion)
-        state = response.maps[held.pop(0)] @ state
+        state = response.step(held.pop(0), state)
     for motion in held:
-        state = response.maps[motion] @ state
+        state = response.step(motion, state)
     # Within four standard deviations of one frame, though it is two ticks late.
-    assert np.abs(observer.pose - state[1:4])[:2].max() < 2e-3
-    assert abs(observer.pose[2] - state[3]) < math.radians(4)
+    assert np.abs(observer.pose - state[:3])[:2].max() < 2e-3
+    assert abs(observer.pose[2] - state[2]) < math.radians(4)
 
 
 def test_observer_finds_a_sheet_that_was_pushed_away():
-    observer = Observer(Camera(), resting(1), np.zeros(3))
+    observer = Observer(Camera(), resting(), np.zeros(3))
     moved = []
     for k in range(1, 8):
         observer.told(0)
@@ -94,8 +139,8 @@ def test_learner_comes_to_what_pulses_did():
 
 def test_ways_take_as_long_as_the_best_mixture_of_pulses():
     moved = np.concatenate([np.eye(3), -np.eye(3)]) * 0.01
-    reach = Reach(moved, np.full(6, 0.1))
-    # Along one pulse, 0.22 s of pulse and pause for each 10 mm; two ways add up.
+    reach = Reach(moved, np.full(6, 0.22))
+    # Along one pulse, 0.22 s for each 10 mm; two ways add up.
     assert reach.time(np.array([0.02, 0, 0])) == pytest.approx(0.44)
     assert reach.time(np.array([0.02, -0.01, 0])) == pytest.approx(0.66)
     with pytest.raises(InputError, match="cannot carry"):
@@ -114,14 +159,15 @@ def test_goals_are_read_and_those_off_the_plate_refused():
 
 
 @pytest.mark.slow
-def test_sheets_are_brought_to_their_goals():
-    menu = menu_of("cheese", generations=1)
+def test_sheets_are_brought_to_their_goals(monkeypatch):
+    monkeypatch.setattr(menu_module, "_FIRST", 64)
+    menu = menu_of("cheese", generations=0)
     goals = [Goal(0.01, 0.01, 0.5), Goal(-0.015, 0.0, -1.0), Goal(0.0, -0.015), Goal(0.02, 0.005, 2.0)]
     sheets = [menu.scenario.replace(**{"start.x": x}) for x in (0.0, 0.01, -0.01, 0.0)]
     ways = steer(Plant(sheets, camera=PERFECT), [[goal] for goal in goals], menu, timeout=15.0)
     arrivals = [way.arrivals[0] for way in ways]
-    # Nine in ten come home: two of four hold by far more than chance, on any processor.
-    assert sum(arrival.reached for arrival in arrivals) >= 2
+    # All but one in a hundred come home, with motions less well sought a few more: three of four hold on any processor.
+    assert sum(arrival.reached for arrival in arrivals) >= 3
     for arrival in arrivals:
         if arrival.reached:
             assert arrival.error <= 3e-3

@@ -108,9 +108,9 @@ def steer(
     goals, within, (hold, timeout) = aims.aimed_for(), aims.tolerances(), aims.seconds()
     camera = seen.camera()
     from plategait.control.goal import check_goals, check_reach
-    from plategait.control.menu import on_a_plate
     from plategait.control.pixels import SNAPSHOTS, PixelCamera
     from plategait.control.plant import Plant
+    from plategait.control.room import on_a_plate
     from plategait.control.steer import steer as steered_by
 
     true, believed = (on_a_plate(each) for each in lies_there.true_and_believed(scenario))

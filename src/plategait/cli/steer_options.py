@@ -134,7 +134,7 @@ class ObjectOptions:
 
 def _check_room(scenario: Scenario) -> None:
     """Refuse a plate as typed that is too small for the object."""
-    from plategait.control.menu import room_of
+    from plategait.control.room import room_of
 
     try:
         room_of(scenario)

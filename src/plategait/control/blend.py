@@ -5,71 +5,78 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from plategait.arrays import Array
 from plategait.control.goal import WITHIN, WITHIN_ANGLE
-from plategait.control.menu import Menu, room_of
+from plategait.control.menu import Menu
 from plategait.control.observer import Observer
 from plategait.control.pulse import Pulses
-from plategait.control.reach import Reach
-from plategait.control.response import wrapped
+from plategait.control.response import stopped, wrapped
+from plategait.control.room import room_of
+from plategait.control.value import TimeToGo
 
 REST = 9
 """Ticks that an object is left to come to rest, and seen to, before the next pulse."""
 BLIND = 0.15
 """Time without a frame after which a plate is stopped, s."""
-# An object stays where it is within these shares of the tolerances.
-_NEAR, _NEAR_ANGLE = 0.6, 0.6
-# What time in motion, each pulse, and not being there yet counts, beside the time that the rest of the way takes.
-_MOVING, _PULSE, _FURTHER = 0.3, 0.05, 0.1
+# An object is there within this share of the tolerances, and brought nearer than that where it is not.
+_THERE, _WELL = 0.85, 0.6
+# What each pulse counts beside its time, and not being there yet, s.
+_PULSE, _FURTHER = 0.2, 0.4
 # Time that what is unsure will take, over the standard deviations: m and rad per s.
 _MENDING = 2 * np.array([0.03, 0.03, math.radians(80)])
-# How far beyond its room an object may be expected before it counts as a second, m.
-_OVER = 5e-3
-# Standard deviations that are kept from the edge.
-_SURE = 2.0
-# First pulses that a second one is thought of after.
-_KEPT = 24
-_ALIKE = 4
-_DEPTH = 4
-_LATE = 4
+# What is kept from the edge beside so many standard deviations, m, and how much nearer counts as a second, m.
+_KEPT_OFF, _SURE, _OVER = 10e-3, 2.0, 5e-3
+# First pulses that a second one is thought of after, and the share of the time to go that they are chosen by.
+_KEPT, _HOPED = 24, 0.8
+# How much longer than planned a pulse may go on.
+_LONGER, _LATE = 1.5, 4
 
 
 class BlendingController:
     """Chooses a motion each tick, so that an object comes to its goal and stays there.
 
-    From rest all pulses are weighed by the time that they take, by what is then left of the way, as it takes mixtures
-    of short pulses (`Reach`), by how unsure they are, and by whether they end near the edge; the most promising ones
-    with a second pulse after them. While one goes, it is stopped where it comes nearest to where it was to end.
+    From rest all pulses are weighed by how much of the time to go (`TimeToGo`) they save over the time that they take
+    and that what is unsure of them will take, the most promising ones also with a second pulse after them; ends near
+    the edge count against them. While one goes, it is stopped where it comes nearest to where it was to end.
 
     Parameters
     ----------
     menu : Menu
     pulses : Pulses
-        Of the menu, by the response as it is known: changed as it is learnt.
+        Of the menu, by the response as it is known.
     goal : (3,) array
         x, y, m, and the angle, rad; NaN for any.
     most : int, optional
         Pulses that it may make: as many as it takes by default.
+    within : (float, float)
+        How near to the goal counts as there, m and rad.
     """
 
-    def __init__(self, menu: Menu, pulses: Pulses, goal: Array, most: int | None = None) -> None:
+    def __init__(
+        self,
+        menu: Menu,
+        pulses: Pulses,
+        goal: Array,
+        most: int | None = None,
+        within: tuple[float, float] = (WITHIN, WITHIN_ANGLE),
+    ) -> None:
         self.menu, self.pulses, self.goal = menu, pulses, goal
-        self._room = room_of(menu.scenario)
-        self._scale = np.array([WITHIN, WITHIN, WITHIN_ANGLE])
+        self._room = room_of(menu.scenario) - _KEPT_OFF
+        self._within = np.array(within)
+        self._scale = self._within[[0, 0, 1]]
         self.motion, self.made, self._most = 0, 0, most
         self._rested, self._going, self._planned = REST, 0, 0
         self._target = goal
-        self._reach: Reach | None = None
+        self._togo: TimeToGo | None = None
 
     def aim(self, goal: Array) -> None:
         """Go for another goal from now on."""
-        self.goal, self._reach = goal, None
+        self.goal, self._togo = goal, None
 
-    def forget(self) -> None:
-        """Count the rest of the way anew, after the response has been learnt better."""
-        self._reach = None
+    def learnt(self, motion: int, rates: Array) -> None:
+        """Take other rates (3, p) of one motion."""
+        self.pulses = self.pulses.learnt(motion, rates)
 
     @property
     def at_rest(self) -> bool:
@@ -85,9 +92,7 @@ class BlendingController:
                 self._begin(observer.expected())
         else:
             self._going += 1
-            nearest = self._nearest(observer.expected())
-            late = self._going > 1.5 * self._planned + _LATE
-            if blind or late or nearest == 0:
+            if blind or self._nearest(observer.expected()) == 0:
                 self.motion, self._rested = 0, 0
         return self.motion
 
@@ -100,75 +105,49 @@ class BlendingController:
             self.made += 1
 
     def _nearest(self, state: Array) -> int:
-        off = wrapped(self.pulses.going(self.motion, state) - self._target) / self._scale
+        """Ticks more after which the object comes nearest to where it was to end."""
+        most = round(_LONGER * self._planned) + _LATE
+        ends = self.pulses.going(self.motion, state, max(most - self._going, 0))
+        off = wrapped(ends - self._target) / self._scale
         return int((off**2).sum(axis=1).argmin())
+
+    def _off(self, poses: Array) -> Array:
+        """(…,) how far from the goal poses (…, 3) are, over the tolerances: the greater of distance and angle."""
+        ways = wrapped(np.nan_to_num(self.goal) - poses)
+        turn = np.zeros(ways.shape[:-1]) if math.isnan(self.goal[2]) else np.abs(ways[..., 2])
+        return np.maximum(np.hypot(ways[..., 0], ways[..., 1]) / self._within[0], turn / self._within[1])
 
     def left(self, poses: Array) -> Array:
         """(…,) time that the way from poses (…, 3) to the goal takes yet, s."""
-        ways = self._way(poses)
-        if self._reach is None:
-            place = np.clip(self.goal[:2], -self._room, self._room)
-            self._reach = Reach(*self.pulses.short(place))
-        near = (np.hypot(ways[..., 0], ways[..., 1]) < _NEAR * WITHIN) & (
-            np.abs(ways[..., 2]) < _NEAR_ANGLE * WITHIN_ANGLE
-        )
-        time = self._reach.time(ways)
-        return np.where(near, 0.3 * time, time + _FURTHER)
-
-    def _way(self, poses: Array) -> Array:
-        goal = np.where(np.isnan(self.goal), 0.0, self.goal)
-        ways = wrapped(goal - poses)
-        if math.isnan(self.goal[2]):
-            ways[..., 2] = 0.0
-        return ways
-
-    def there(self, pose: Array) -> bool:
-        """Whether a pose is as near as the controller brings an object."""
-        way = self._way(pose)
-        return bool(math.hypot(way[0], way[1]) < 0.85 * WITHIN and abs(way[2]) < 0.85 * WITHIN_ANGLE)
+        if self._togo is None:
+            self._togo = TimeToGo(self.pulses, self.costs(), self.goal, self.menu.reach)
+        time = self._togo.of(poses)
+        return np.where(self._off(poses) < _WELL, 0.3 * time, time + _FURTHER)
 
     def outside(self, poses: Array, spread: Array) -> Array:
-        """(…,) what poses near the edge or beyond count, s."""
-        over = np.abs(poses[..., :2]) + _SURE * spread[..., :2] - (self._room - _OVER)
+        """(…,) what poses near the edge, and farther out than the goal, count, s."""
+        over = np.abs(poses[..., :2]) + _SURE * spread[..., :2] - np.maximum(self._room, np.abs(self.goal[:2]))
         return np.maximum(over, 0.0).sum(axis=-1) / _OVER
 
     def costs(self) -> Array:
         """(k,) what each pulse counts by itself, s."""
         pulses = self.pulses
-        unsure = (pulses.spread / _MENDING).sum(axis=1)
-        return _MOVING * pulses.times + _PULSE * (pulses.ticks > 0) + unsure
+        return pulses.times + _PULSE + (pulses.spread / _MENDING).sum(axis=1)
 
     def plan(self, state: Array) -> tuple[int, Array]:
-        """Pulse to make from a state (7,), and where it ends; the first, which is none, where the object is there."""
+        """Pulse to make from a state (6,), and where it ends; the first, which is none, where the object is there."""
         pulses = self.pulses
-        ends = pulses.ends @ state
-        if self.there(ends[0]):
+        ends = pulses.ends(stopped(state))
+        if self._off(ends[0]) < _THERE:
             return 0, ends[0]
-        alone = self.costs()
+        alone, left = self.costs(), self.left(ends)
         own = alone + self.outside(ends, pulses.spread)
-        total = own + self.left(ends)
-        # Ways of further pulses, each kept with the pulse that it begins with: a beam search.
-        first, paid, poses = np.arange(len(own)), own, ends
-        for _ in range(_DEPTH - 1):
-            kept = self._beam(first, paid, poses)
-            first, from_rest = first[kept], np.concatenate([np.ones((len(kept), 1)), poses[kept]], axis=1)
-            poses = np.einsum("kij,nj->nki", pulses.ends[1:, :, :4], from_rest)
-            paid = paid[kept][:, None] + alone[1:] + self.outside(poses, pulses.spread[1:])
-            whole = paid + self.left(poses)
-            np.minimum.at(total, first, whole.min(axis=1))
-            first, paid, poses = np.repeat(first, whole.shape[1]), paid.ravel(), poses.reshape(-1, 3)
-        total[0] = np.inf
-        best = int(total.argmin())
+        gain = (left[0] - left) / own
+        hopes = own + _HOPED * left
+        hopes[0] = gain[0] = -np.inf
+        kept = np.argpartition(hopes[1:], min(_KEPT, len(hopes) - 2))[:_KEPT] + 1
+        second = pulses.ends(ends[kept])
+        both = own[kept, None] + alone + self.outside(second, pulses.spread)
+        gain[kept] = np.maximum(gain[kept], ((left[0] - self.left(second)) / both).max(axis=1))
+        best = int(gain.argmax())
         return best, ends[best]
-
-    def _beam(self, first: NDArray[np.int64], paid: Array, poses: Array) -> NDArray[np.int64]:
-        """Ways to go on with: the most promising ones, few of them with the same pulse first."""
-        promise = paid + 0.8 * self.left(poses)
-        promise[first == 0] = np.inf
-        order = np.argsort(promise)[: 20 * _KEPT]
-        of_first = first[order]
-        turn = np.zeros(len(order), dtype=np.int64)
-        seen: dict[int, int] = {}
-        for i, pulse in enumerate(of_first.tolist()):
-            turn[i] = seen[pulse] = seen.get(pulse, 0) + 1
-        return order[turn <= _ALIKE][:_KEPT]

@@ -10,9 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.control.menu import Menu, room_of
+from plategait.control.menu import Menu
 from plategait.control.pulse import Pulses
 from plategait.control.reach import Reach
+from plategait.control.room import MARGIN, room_of
 from plategait.errors import InputError
 from plategait.files.headings import Column
 from plategait.files.table import read_table
@@ -23,8 +24,6 @@ WITHIN, WITHIN_ANGLE = 3e-3, math.radians(5)
 """How near to its goal an object counts as being there, m and rad."""
 HOLD = 2.0
 """How long it is to stay there, s."""
-MARGIN = 5e-3
-"""What is to be left between an object and the edge of its plate, m."""
 
 _PLACE = Quantity("m", "mm", "30 mm", at_least=-10, at_most=10)
 
@@ -124,7 +123,7 @@ def check_reach(goals: Sequence[Goal], menu: Menu) -> None:
     """
     pulses = Pulses(menu.response)
     for number, goal in enumerate(goals, start=1):
-        Reach(*pulses.short(goal.pose[:2]), field=f"goals.{number}")
+        Reach(pulses.at(goal.pose[:2])[pulses.short], pulses.times[pulses.short], field=f"goals.{number}")
 
 
 def random_goals(count: int, scenario: Scenario, seed: int, reach: float = 0.04) -> list[Goal]:

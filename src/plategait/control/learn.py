@@ -12,8 +12,8 @@ from plategait.control.response import LONGEST, STOPPING, TICK, Response
 # How far another object's rates may be from those of the one that is known: as a share, and m/s, m/s, rad/s.
 _SHARE = 0.4
 _RATES = np.array([15e-3, 10e-3, math.radians(20)])
-# The same of how they change with the place, per m.
-_SLOPES = _RATES / 0.03
+# How much of that may go with the first, second, … power of the place.
+_POWERS = (1.0, 1.7, 0.5, 0.25, 0.25)
 # By which the uncertainty grows with each pulse, so that what changes is learnt anew.
 _FORGETTING = 1.03
 
@@ -28,14 +28,14 @@ class Learner:
     """
 
     def __init__(self, response: Response) -> None:
-        self._lags, self._spread = response.lags, response.spread
+        self._lags, self._spread, self._field = response.lags, response.spread, response.field
         self.rates = response.rates.copy()
-        floor = np.column_stack([_RATES, _SLOPES, _SLOPES])
+        floor = _RATES[:, None] * [_POWERS[i + j] for i, j in self._field.powers]
         deviation = _SHARE * np.abs(self.rates) + 0.3 * floor
-        self._covariance = np.einsum("mci,ij->mcij", deviation**2, np.eye(3))
+        self._covariance = np.einsum("mci,ij->mcij", deviation**2, np.eye(len(self._field)))
 
     def saw(self, motion: int, ticks: int, before: Array, after: Array, noise: Array) -> Array:
-        """Take in a pulse; the tick's map of that motion from now on.
+        """Take in a pulse; the rates (3, p) of that motion from now on.
 
         Parameters
         ----------
@@ -45,8 +45,7 @@ class Learner:
         noise : (3,) array
             Standard deviation of those.
         """
-        middle = (before[:2] + after[:2]) / 2
-        where = np.array([1.0, *middle])
+        where = self._field.at((before[:2] + after[:2]) / 2)
         for c in range(3):
             moved = float(after[c] - before[c])
             effect = where * _gain(ticks, float(self._lags[motion, c]))
@@ -56,8 +55,7 @@ class Learner:
             gain = along / (float(effect @ along) + variance)
             self.rates[motion, c] += gain * (moved - float(effect @ self.rates[motion, c]))
             self._covariance[motion, c] = covariance - np.outer(gain, along)
-        return Response(self.rates[motion : motion + 1], self._lags[motion : motion + 1],
-                        self._spread[motion : motion + 1], np.zeros(1, dtype=bool)).maps[0]  # fmt: skip
+        return self.rates[motion].copy()
 
 
 def _gain(ticks: int, lag: float) -> float:

@@ -13,29 +13,33 @@ from scipy.stats import qmc
 
 from plategait.arrays import Array, Flags
 from plategait.control.drive import Drive
-from plategait.control.response import DELAY, LONGEST, TAIL, Response, fitted, pulses, resting
+from plategait.control.identify import fitted, pulses
+from plategait.control.response import ACROSS, ANYHOW, LONGEST, Field, Response, resting
+from plategait.control.room import MARGIN, on_a_plate, room_of
 from plategait.engine.engines import Engine
 from plategait.errors import InputError
 from plategait.model.machine import Machine, machine_of
 from plategait.model.motion import PlateMotion
-from plategait.model.presets import Preset, as_scenario
-from plategait.model.scenario import Plate, Scenario
+from plategait.model.presets import Preset
+from plategait.model.scenario import Scenario
 from plategait.optimize.symmetry import changes_sign
 from plategait.simulation.run import check_whole
 
-PLATE = 0.2
-"""Length and width of the plate where the scenario has none, m."""
 RAMP = 0.06
 """Time in which the plate goes over from one motion to the next, s."""
-ACCELERATION = 20.0
+ACCELERATION = 30.0
 """Of a plate's sines, m/s²: harder ones are faster, but fold sheets and throw them off the edge now and then."""
 GENERATIONS = 3
 """Of motions about the best ones."""
+_ALONG_THE_BAR = ("frequency", "angle", "stroke", "phase", "offset")
 _FIRST, _CHILDREN = 192, 112
 _STEP = 0.08
 # Displacements over a pulse that weigh the same, m and rad; what goes elsewhere, and what is not sure, weighs so much.
 _SCALE = np.array([0.02, 0.02, math.radians(40)])
 _ASIDE, _UNSURE = 0.7, 0.7
+# Ways that motions are chosen for: ticks, the scale, and how far at most, in it; what does nothing is not chosen.
+_WAYS = ((LONGEST, _SCALE, 1e9), (9, _SCALE / 5, 1.0))
+_LEAST = 0.15
 # Where responses are weighed: on the bar and beside it, in shares of the reach.
 _PLACES = (-0.75, 0.0, 0.75)
 # What may remain unexplained where a pulse ends, m and rad.
@@ -70,33 +74,10 @@ class Menu:
         return len(self.motions)
 
 
-def on_a_plate(scenario: Scenario | Preset | Path | str) -> Scenario:
-    """Scenario on a plate that ends, free to travel."""
-    made = as_scenario(scenario, "scenario")
-    return made.replace(slip_limit=1.0, plate=made.plate or Plate(length=PLATE, width=PLATE))
-
-
-def room_of(scenario: Scenario) -> Array:
-    """(2,) how far from the middle an object's centre may be, along the bar and across it, with all of it on the plate.
-
-    Raises
-    ------
-    InputError
-        For a plate that is too small for the object.
-    """
-    plate = scenario.plate or Plate(length=PLATE, width=PLATE)
-    room = np.array([plate.length, plate.width]) / 2 - max(scenario.sheet.outline.size()) / 2
-    if room.min() <= 5e-3:
-        size = 1e3 * max(scenario.sheet.outline.size())
-        raise InputError("plate", f"{1e3 * plate.length:g} mm by {1e3 * plate.width:g} mm",
-                         f"larger than the object, {size:g} mm, by 10 mm at least",
-                         f'"{size + 100:.0f} mm"')  # fmt: skip
-    return room
-
-
-def drive_of(placed: Scenario, machine: Machine) -> Drive:
+def drive_of(placed: Scenario, machine: Machine, acceleration: float | str = ACCELERATION) -> Drive:
     """What the motors of a machine can do with a plate while an object is steered on it."""
-    return Drive(machine, placed.motion.replace(waves=(), samples=None), ramp=RAMP)
+    base = placed.motion.replace(waves=(), samples=None)
+    return Drive(machine, base, ramp=RAMP, acceleration=acceleration)
 
 
 def menu_of(
@@ -137,19 +118,22 @@ def menu_of(
     """
     check_whole("generations", generations, 0, 100)
     placed = on_a_plate(scenario)
-    reach = float(min(0.75 * room_of(placed).min(), 0.2))
+    reach = float(min(room_of(placed).min() - MARGIN, 0.2))
     drive = drive_of(placed, machine_of(machine), acceleration)
     still = drive.base.replace(angle=0.0, stroke=0.0)
+    # What only rocks about the bar and shakes along it does the same all along it.
+    powers = ACROSS if set(drive.names) <= set(_ALONG_THE_BAR) else ANYHOW
+    field, rough = Field(powers, reach), Field(tuple(each for each in powers if max(each) <= 2), reach)
     generator = np.random.default_rng(seed)
     shares = qmc.Sobol(len(drive), rng=np.random.default_rng(seed)).random_base2(8)[:_FIRST]
-    tried, actions, response = 2 * shares - 1, np.zeros((0, len(drive))), resting(0)
+    tried, actions, response = 2 * shares - 1, np.zeros((0, len(drive))), resting(0, rough)
     report = progress or (lambda _: None)
     best: Sequence[int] = ()
     for generation in range(generations + 1):
         made = [still, *drive.motions(tried)]
         run = pulses([placed], made, (LONGEST // 4, LONGEST), 4, 100 * seed + generation, reach,
                      engine=engine, threads=threads)  # fmt: skip
-        actions, response = np.concatenate([actions, tried]), joined(response, fitted(run, len(made)), 1)
+        actions, response = np.concatenate([actions, tried]), joined(response, fitted(run, len(made), rough))
         best = _best(response, reach)
         if not len(best):
             raise InputError("machine", drive.machine.name, "one that moves the object without losing it",
@@ -158,8 +142,8 @@ def menu_of(
         tried = children(actions[list(best)], drive, generation == 0, generator)
     chosen = actions[list(best)]
     motions = (still, *drive.motions(chosen))
-    last = pulses([placed], motions, (4, 8, 16, LONGEST), 6, 100 * seed + 99, reach, engine=engine, threads=threads)
-    told = fitted(last, len(motions))
+    last = pulses([placed], motions, (6, 12, LONGEST), 12, 100 * seed + 99, reach, engine=engine, threads=threads)
+    told = fitted(last, len(motions), field)
     sure = [0, *(i for i in range(1, len(motions)) if usable(told, 2.0)[i])]
     if len(sure) < 2:
         raise InputError("machine", drive.machine.name, "one whose motions the object follows", "a larger plate")
@@ -172,30 +156,35 @@ def usable(response: Response, times: float = 1.0) -> Flags:
     return ~response.failed & (response.spread < times * _MOST_SPREAD).all(axis=1)
 
 
-def joined(one: Response, other: Response, first: int = 0) -> Response:
-    """Responses to the motions of one, and to those of another from one on."""
-    return Response(*(np.concatenate([getattr(one, name), getattr(other, name)[first:]])
-                      for name in ("rates", "lags", "spread", "failed")))  # fmt: skip
+def joined(one: Response, other: Response) -> Response:
+    """Responses to the motions of one, and to those of another but the first."""
+    rates, lags, spread, failed = (
+        np.concatenate([getattr(one, name), getattr(other, name)[1:]]) for name in ("rates", "lags", "spread", "failed")
+    )
+    return Response(rates, lags, spread, failed, one.field)
 
 
 def displaced(response: Response, place: Array, ticks: int = LONGEST) -> Array:
     """(m, 3) displacement by a pulse of so many ticks, from rest at a place (x, y), m, to rest."""
-    begin = np.array([1.0, *place, 0.0, 0.0, 0.0, 0.0])
-    moved = np.linalg.matrix_power(response.maps, ticks) @ begin
-    return (moved @ np.linalg.matrix_power(resting().maps[0], TAIL + DELAY).T)[:, 1:4] - begin[1:4]
+    begin = np.tile([*place, 0.0, 0.0, 0.0, 0.0], (len(response), 1))
+    return response.going(np.arange(len(response)), begin, ticks)[:, -1] - begin[:, :3]
 
 
 def _best(response: Response, reach: float) -> Sequence[int]:
-    """Motions that go farthest for sure in some direction from some place."""
+    """Motions that go farthest for sure some way from some place, and those that go a little way the straightest."""
     best: set[int] = set()
-    unsure = _UNSURE * np.linalg.norm(response.spread / _SCALE, axis=1)
     allowed = usable(response)
-    for place in _PLACES:
-        moved = displaced(response, np.array([0.0, place * reach])) / _SCALE
+    for place, (ticks, scale, most) in itertools.product(_PLACES, _WAYS):
+        unsure = np.linalg.norm(response.spread / scale, axis=1) * math.sqrt(ticks / LONGEST)
+        moved = displaced(response, np.array([0.0, place * reach]), ticks) / scale
+        length = np.linalg.norm(moved, axis=1)
         along = moved @ _DIRECTIONS.T
-        aside = np.sqrt(np.maximum((moved**2).sum(axis=1)[:, None] - along**2, 0.0))
-        merit = np.where(allowed[:, None], along - _ASIDE * aside - unsure[:, None], -np.inf)
-        best.update(int(i) for i, most in zip(merit.argmax(axis=0), merit.max(axis=0), strict=True) if most > -np.inf)
+        aside = np.sqrt(np.maximum(length[:, None] ** 2 - along**2, 0.0))
+        # A shorter pulse goes less far, along and aside.
+        share = np.minimum(most / np.maximum(along, most), 1.0)
+        goes = (allowed & (length > _LEAST))[:, None]
+        merit = np.where(goes, share * (along - _ASIDE * aside) - _UNSURE * unsure[:, None], -np.inf)
+        best.update(merit.argmax(axis=0)[merit.max(axis=0) > -np.inf].tolist())
     return sorted(best)
 
 

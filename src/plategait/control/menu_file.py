@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from plategait.control.menu import GENERATIONS, Menu, drive_of, menu_of, on_a_plate
-from plategait.control.response import Response
+from plategait.control.menu import ACCELERATION, GENERATIONS, Menu, drive_of, menu_of
+from plategait.control.response import Field, Response
+from plategait.control.room import on_a_plate
 from plategait.errors import InputError
 from plategait.files.input import read_text
 from plategait.files.output import check_writable, write_whole
@@ -21,6 +21,7 @@ from plategait.model.scenario import Scenario
 from plategait.moves.report import motion_fields
 
 SUFFIXES = (".json",)
+_ARRAYS = ("rates", "lags", "spread", "failed")
 _MOST_BYTES = 64 << 20
 _ALLOWED = "a menu that plategait steer --menu wrote"
 
@@ -63,7 +64,8 @@ def kept_menu(
             "kept for": asked,
             "reach_m": menu.reach,
             "motions": [motion_fields(motion) for motion in menu.motions],
-            "response": {each.name: getattr(menu.response, each.name).tolist() for each in fields(Response)},
+            "field": {"powers": menu.response.field.powers, "reach_m": menu.response.field.reach},
+            "response": {name: getattr(menu.response, name).tolist() for name in _ARRAYS},
         }
         write_whole(json.dumps(told, indent=1, ensure_ascii=False).encode(), path, SUFFIXES, field)
     return menu
@@ -74,7 +76,8 @@ def _identity(scenario: Scenario, machine: Machine, generations: int, seed: int)
     placed = on_a_plate(scenario)
     parts = ("sheet", "plate", "motion", "contact", "friction", "gravity")
     told = {name: repr(getattr(placed, name)) for name in parts}
-    return told | {"machine": repr(machine), "generations": generations, "seed": seed}
+    return told | {"machine": repr(machine), "generations": generations, "seed": seed,
+                   "acceleration": ACCELERATION}  # fmt: skip
 
 
 def _read(path: Path, asked: dict[str, Any], scenario: Scenario, machine: Machine, field: str) -> Menu:
@@ -82,12 +85,11 @@ def _read(path: Path, asked: dict[str, Any], scenario: Scenario, machine: Machin
         told = json.loads(read_text(path, _MOST_BYTES, field, _ALLOWED, "menu.json"))
         kept = dict(told["kept for"])
         motions = tuple(PlateMotion(**fields_) for fields_ in told["motions"])
-        response = Response(**{
-            name: np.array(values, dtype=bool if name == "failed" else float)
-            for name, values in told["response"].items()
-        })  # fmt: skip
+        arrays = {name: np.array(told["response"][name], dtype=bool if name == "failed" else float) for name in _ARRAYS}
+        powers = tuple((int(i), int(j)) for i, j in told["field"]["powers"])
+        response = Response(**arrays, field=Field(powers, float(told["field"]["reach_m"])))
         reach = float(told["reach_m"])
-        shapes = [np.shape(getattr(response, each.name))[0] for each in fields(Response)]
+        shapes = [np.shape(array)[0] for array in arrays.values()]
     except (ValueError, TypeError, KeyError, AttributeError, IndexError):
         raise InputError(field, str(path), _ALLOWED, f"another name, such as {path.stem}-new.json") from None
     if kept != asked or set(shapes) != {len(motions)}:

@@ -31,16 +31,16 @@ class Observer:
     ----------
     camera : Camera
     response : Response
-        May be changed as the object is learnt.
+        May be exchanged as the object is learnt.
     pose : (3,) array
         Where the object is first seen.
     """
 
     def __init__(self, camera: Camera, response: Response, pose: Array) -> None:
-        self.maps, self._spread = response.maps, response.spread
+        self.response = response
         noise = np.array([camera.position_noise, camera.position_noise, camera.angle_noise])
         self._noise = np.maximum(noise, _LEAST_NOISE)
-        self._state = np.array([1.0, *pose, 0.0, 0.0, 0.0])
+        self._state = np.array([*pose, 0.0, 0.0, 0.0])
         self._covariance = np.diag([*self._noise**2, *np.zeros(3)])
         # Motions that held, or will hold, tick by tick: those before the filter's own time are forgotten.
         self._held = [0] * DELAY
@@ -50,11 +50,6 @@ class Observer:
     def told(self, motion: int) -> None:
         """Note what the plate is told to do in the tick that begins."""
         self._held.append(motion)
-
-    def learnt(self, motion: int, map_: Array) -> None:
-        """Take another response to one motion from now on."""
-        self.maps = self.maps.copy()
-        self.maps[motion] = map_
 
     def saw(self, pose: Array, taken: float) -> bool:
         """Take in a frame; whether the object was found to be elsewhere than it can have gone by itself.
@@ -69,9 +64,9 @@ class Observer:
         for _ in range(max(round(taken / TICK) - self._tick, 0)):
             self._go_on()
         self.newest = self._tick
-        moving = self._held[0] != 0 or bool(np.abs(self._state[4:6]).max() > 5e-3)
+        moving = self._held[0] != 0 or bool(np.abs(self._state[3:5]).max() > 5e-3)
         noise = np.diag(self._noise**2 + (_TREMBLE**2 if moving else 0.0))
-        error = wrapped(pose - self._state[1:4])
+        error = wrapped(pose - self._state[:3])
         seen = self._covariance[:3, :3] + noise
         far = float(error @ np.linalg.solve(seen, error)) > _FAR
         self._far = self._far + 1 if far else 0
@@ -82,34 +77,34 @@ class Observer:
         if far and not moved:
             return False
         gain = np.linalg.solve(seen, self._covariance[:3]).T
-        self._state[1:] += gain @ error
+        self._state = self._state + gain @ error
         self._covariance = self._covariance - gain @ seen @ gain.T
         return moved
 
     def _go_on(self) -> None:
         """Let the filter's own time go on by a tick."""
         motion = self._held.pop(0)
-        step = self.maps[motion][1:, 1:]
-        self._state = self.maps[motion] @ self._state
+        step = self.response.slope(motion, self._state)
+        self._state = self.response.step(motion, self._state)
         if motion:
-            place = self._spread[motion] / math.sqrt(LONGEST)
-            speed = self._spread[motion] / (LONGEST * TICK)
+            spread = self.response.spread[motion]
+            place, speed = spread / math.sqrt(LONGEST), spread / (LONGEST * TICK)
         else:
-            place, speed = _CREEP, 0.2 * np.abs(self._state[4:7])
+            place, speed = _CREEP, 0.2 * np.abs(self._state[3:])
         self._covariance = step @ self._covariance @ step.T + np.diag([*place**2, *speed**2])
         self._tick += 1
 
     def expected(self) -> Array:
-        """(7,) 1, the pose and the velocity when what the plate is told next takes hold."""
+        """(6,) the pose and its velocity when what the plate is told next takes hold."""
         state = self._state
         for motion in self._held:
-            state = self.maps[motion] @ state
+            state = self.response.step(motion, state)
         return state
 
     @property
     def pose(self) -> Array:
         """(3,) where the object is expected to be when what the plate is told next takes hold."""
-        return self.expected()[1:4]
+        return self.expected()[:3]
 
     @property
     def since_seen(self) -> float:

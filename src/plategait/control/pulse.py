@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import copy
+
 import numpy as np
 
-from plategait.arrays import Array
-from plategait.control.response import DELAY, LONGEST, TAIL, TICK, Response, resting
+from plategait.arrays import Array, Flags
+from plategait.control.response import LONGEST, TICK, Response
 
-TICKS = (4, 6, 9, 13, 20, 30)
+TICKS = (3, 5, 8, 12, 18, 26)
 """Lengths of the pulses that are chosen from."""
-SHORT = 6
+SHORT = 8
 """Ticks of the pulses by which the rest of a way is counted."""
-_MOST = 36
-_STOP = np.linalg.matrix_power(resting().maps[0], TAIL + DELAY)
+# Places, in shares of the reach, at which pulses are followed, for what they do between.
+_PLACES = np.linspace(-1, 1, 15)
 
 
 class Pulses:
@@ -20,50 +22,61 @@ class Pulses:
 
     Attributes
     ----------
+    response : Response
     motion, ticks : (k,) int arrays
     times : (k,) array
         s.
-    ends : (k, 3, 7) array
-        Pose after each, at rest, of (1, pose, velocity) before.
+    moved : (k, 3, p) array
+        Displacement from rest to rest, in the monomials of the response's field.
     spread : (k, 3) array
         Standard deviation of that, m and rad.
     """
 
     def __init__(self, response: Response) -> None:
         count = len(response)
+        self.response = response
         self.motion = np.array([0, *np.repeat(np.arange(1, count), len(TICKS))])
         self.ticks = np.array([0, *np.tile(TICKS, count - 1)])
         self.times = self.ticks * TICK
         self.spread = response.spread[self.motion] * np.sqrt(self.ticks / LONGEST)[:, None]
-        self.ends = np.zeros((len(self.ticks), 3, 7))
-        self.ends[0] = _STOP[1:4]
-        self._going = np.zeros((count, _MOST + 1, 3, 7))
-        for motion, map_ in enumerate(response.maps):
-            self.learnt(motion, map_)
+        self.moved = np.zeros((len(self.ticks), 3, len(response.field)))
+        field = response.field
+        along = _PLACES if any(i for i, _ in field.powers) else np.zeros(1)
+        x, y = np.meshgrid(along, _PLACES)
+        self._places = (field.reach if np.isfinite(field.reach) else 0.05) * np.column_stack([x.ravel(), y.ravel()])
+        self._explain = np.linalg.pinv(field.at(self._places))
+        for motion in range(1, count):
+            self._follow(motion)
 
-    def copy(self) -> Pulses:
-        """The same pulses, to learn apart."""
-        other = Pulses.__new__(Pulses)
-        other.__dict__.update(self.__dict__)
-        other.ends, other._going = self.ends.copy(), self._going.copy()
+    def learnt(self, motion: int, rates: Array) -> Pulses:
+        """These pulses by other rates (3, p) of one motion."""
+        other, known = copy.copy(self), self.response
+        changed = known.rates.copy()
+        changed[motion] = rates
+        other.response = Response(changed, known.lags, known.spread, known.failed, known.field)
+        other.moved = self.moved.copy()
+        other._follow(motion)
         return other
 
-    def learnt(self, motion: int, map_: Array) -> None:
-        """Take another response to one motion."""
-        power = np.eye(7)
-        for ticks in range(_MOST + 1):
-            self._going[motion, ticks] = (_STOP @ power)[1:4]
-            power = map_ @ power
-        if motion:
-            own = self.motion == motion
-            self.ends[own] = self._going[motion, self.ticks[own]]
+    def _follow(self, motion: int) -> None:
+        states = np.concatenate([self._places, np.zeros((len(self._places), 4))], axis=1)
+        ends = self.response.going(np.full(len(states), motion), states, max(TICKS))[:, TICKS] - states[:, None, :3]
+        self.moved[self.motion == motion] = np.einsum("pn,ntc->tcp", self._explain, ends)
 
-    def going(self, motion: int, state: Array) -> Array:
+    def ends(self, poses: Array) -> Array:
+        """(…, k, 3) poses after each pulse, from rest at poses (…, 3)."""
+        moved = self.response.field.at(poses[..., :2]) @ self.moved.reshape(-1, self.moved.shape[2]).T
+        return poses[..., None, :] + moved.reshape(*poses.shape[:-1], -1, 3)
+
+    def at(self, place: Array) -> Array:
+        """(k, 3) displacement by each pulse from rest at a place (x, y)."""
+        return self.moved @ self.response.field.at(place)
+
+    @property
+    def short(self) -> Flags:
+        """(k,) pulses by which the rest of a way is counted."""
+        return self.ticks == SHORT
+
+    def going(self, motion: int, state: Array, ticks: int) -> Array:
         """(ticks + 1, 3) poses at rest, where a motion goes on for 0, 1, 2, … ticks more."""
-        return self._going[motion] @ state
-
-    def short(self, place: Array) -> tuple[Array, Array]:
-        """Displacements (n, 3) by short pulses from rest at a place (x, y), and their times (n,)."""
-        state = np.array([1.0, *place, 0.0, 0.0, 0.0, 0.0])
-        chosen = self.ticks == SHORT
-        return self.ends[chosen] @ state - state[1:4], self.times[chosen]
+        return self.response.going(np.array([motion]), state[None], ticks)[0]

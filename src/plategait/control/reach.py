@@ -8,10 +8,10 @@ from scipy.spatial import ConvexHull, QhullError
 from plategait.arrays import Array
 from plategait.errors import InputError
 
-PAUSE = 0.12
+PAUSE = 0.2
 """Time between two pulses that is counted, s."""
 # Displacements that weigh the same, per second: so the hull is as round as can be.
-_SCALE = np.array([0.03, 0.03, 1.0])
+SCALE = np.array([0.03, 0.03, 1.0])
 
 
 class Reach:
@@ -33,7 +33,7 @@ class Reach:
     """
 
     def __init__(self, moved: Array, times: Array, field: str = "goal") -> None:
-        velocities = moved / (times + PAUSE)[:, None] / _SCALE
+        velocities = moved / times[:, None] / SCALE
         refused = InputError(field, "a pose that this machine cannot carry the object to",
                              "reached by its motions: none was found that goes some way from there",
                              "a machine that also tilts the plate, or a place nearer to the middle")  # fmt: skip
@@ -43,7 +43,7 @@ class Reach:
             raise refused from None
         if (sides[:, 3] >= -1e-6).any():
             raise refused
-        self._normals = sides[:, :3] / -sides[:, 3:] / _SCALE
+        self._normals = sides[:, :3] / -sides[:, 3:] / SCALE
 
     def time(self, ways: Array) -> Array:
         """(…,) time that displacements (…, 3) take, s."""

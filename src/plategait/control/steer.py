@@ -99,7 +99,6 @@ class _Lane:
     controller: BlendingController
     observer: Observer
     learner: Learner | None
-    pulses: Pulses
     looks: bool = True
     number: int = 0
     begun: float = 0.0
@@ -174,7 +173,7 @@ def steer(
         check_goals(own, menu.scenario)
     total, table = sum(len(own) for own in goals), Pulses(menu.response)
     seen = plant.seen if look is None else look(plant)
-    lanes = [_lane(plant, i, own, menu, table, method, learns, seen) for i, own in enumerate(goals)]
+    lanes = [_lane(plant, i, own, menu, table, method, learns, within, seen) for i, own in enumerate(goals)]
     time = 0.0
     while not all(lane.over for lane in lanes):
         for i, lane in enumerate(lanes):
@@ -190,7 +189,15 @@ def steer(
 
 
 def _lane(
-    plant: Plant, i: int, goals: Sequence[Goal], menu: Menu, table: Pulses, method: Method, learns: bool, seen: Seen
+    plant: Plant,
+    i: int,
+    goals: Sequence[Goal],
+    menu: Menu,
+    table: Pulses,
+    method: Method,
+    learns: bool,
+    within: tuple[float, float],
+    seen: Seen,
 ) -> _Lane:
     first = seen.poses[i] if np.isfinite(seen.poses[i]).all() else np.array(
         [plant.session.scenarios[i].start.x, plant.session.scenarios[i].start.y, plant.session.scenarios[i].start.angle]
@@ -198,9 +205,8 @@ def _lane(
     aimed = goals[0].pose if goals else np.zeros(3)
     looks = method != "open-loop"
     learner = Learner(menu.response) if learns and looks else None
-    pulses = table if learner is None else table.copy()
-    controller = BlendingController(menu, pulses, aimed, 1 if method == "one-pulse" else None)
-    return _Lane(goals, controller, Observer(plant.camera, menu.response, first), learner, pulses, looks)
+    controller = BlendingController(menu, table, aimed, 1 if method == "one-pulse" else None, within)
+    return _Lane(goals, controller, Observer(plant.camera, menu.response, first), learner, looks)
 
 
 def _decide(
@@ -267,14 +273,13 @@ def _learn(lane: _Lane, moved: bool) -> None:
     after = lane.observer.pose
     if lane.before is not None and lane.last[0] and lane.learner is not None and not moved:
         motion, ticks = lane.last
-        ends = lane.pulses.going(motion, np.array([1.0, *lane.before, 0.0, 0.0, 0.0]))
-        expected = ends[min(ticks, len(ends) - 1)]
+        ends = lane.controller.pulses.going(motion, np.array([*lane.before, 0.0, 0.0, 0.0]), ticks)
+        expected = ends[-1]
         # The angle as it went on: the turn next to what was expected.
         turn = expected[2] + math.remainder(after[2] - expected[2], 2 * math.pi)
-        map_ = lane.learner.saw(motion, ticks, lane.before, np.array([*after[:2], turn]), lane.observer.deviation)
-        lane.pulses.learnt(motion, map_)
-        lane.observer.learnt(motion, map_)
-        lane.controller.forget()
+        rates = lane.learner.saw(motion, ticks, lane.before, np.array([*after[:2], turn]), lane.observer.deviation)
+        lane.controller.learnt(motion, rates)
+        lane.observer.response = lane.controller.pulses.response
     lane.before, lane.last = after, (0, 0)
 
 
