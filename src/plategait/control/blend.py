@@ -69,6 +69,8 @@ class BlendingController:
         self._rested, self._going, self._planned = REST, 0, 0
         self._target = goal
         self._togo: TimeToGo | None = None
+        self.finished = True
+        """Whether being at the goal is all that is left to do."""
 
     def aim(self, goal: Array) -> None:
         """Go for another goal from now on."""

@@ -130,6 +130,7 @@ def steer(
     timeout: float = TIMEOUT,
     each_tick: Callable[[Plant, float], object] | None = None,
     look: Callable[[Plant], Seen] | None = None,
+    controller: Callable[[Pulses], BlendingController] | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> list[Steering]:
     """Steer the sheets of a plant, each to its goals one after the other.
@@ -155,6 +156,8 @@ def steer(
         Called with the plant and the time before each tick: for kicks, wet spots, and whatever else may happen.
     look : callable, optional
         What tells poses instead of the plant's own cameras, such as a tracker.
+    controller : callable, optional
+        Makes each lane's controller of the menu's pulses, in place of a method's.
     progress : callable, optional
         Called with the fraction of the goals that are done.
 
@@ -174,6 +177,8 @@ def steer(
     total, table = sum(len(own) for own in goals), Pulses(menu.response)
     seen = plant.seen if look is None else look(plant)
     lanes = [_lane(plant, i, own, menu, table, method, learns, within, seen) for i, own in enumerate(goals)]
+    for lane in lanes if controller is not None else []:
+        lane.controller = controller(table)
     time = 0.0
     while not all(lane.over for lane in lanes):
         for i, lane in enumerate(lanes):
@@ -240,7 +245,7 @@ def _judge(
     """Note whether the goal is reached, or given up."""
     goal = lane.goals[lane.number]
     distance, turn = off(pose, goal.pose)
-    there = distance <= within[0] and turn <= within[1]
+    there = distance <= within[0] and turn <= within[1] and lane.controller.finished
     if not there or status:
         lane.inside = math.nan
     elif math.isnan(lane.inside):
