@@ -121,8 +121,11 @@ MODES = [
     Mode(("optimize", "--with", "measured.toml"), typed(draws="4"), ()),
     Mode(("moves",), MOVES, ("--beside",)),
     Mode(("moves", "--plot", "q.png"), typed(beside="six.json"), ()),
-    Mode(("steer", "--to", "0 mm, 0 mm"), STEER, ("--goals",)),
+    Mode(("steer", "--to", "0 mm, 0 mm"), STEER, ("--goals", "--height")),
     Mode(("steer", "--goals", "goals.csv"), typed(goals="other.csv"), ("--to",)),
+    Mode(("steer", "--path", "figure of eight"),
+         but(STEER, "--to", "--hold", "--method") | typed(path="L", height="30 mm"), ("--goals", "--hold", "--method")),
+    Mode(("steer", "--path", "goals.csv"), typed(path="other.csv"), ("--height",)),
     Mode(("steer", "--to", "0 mm, 0 mm", "--through-pixels"),
          typed(camera_rate="60 Hz", camera_delay="10 ms", dark="1:2 s"), ("--camera-noise", "--missed")),
     Mode(("scenario",), typed(print="cheese", json="")),
@@ -267,8 +270,8 @@ def files(tmp_path_factory) -> Path:
     (folder / "table.csv").write_text("clip,frequency_hz\n20Hz,21\n")
     (folder / "shaker.toml").write_text('x = { acceleration = "50 m/s^2" }\nrx = { angle = "4 deg" }\n')
     (folder / "six.json").write_text('{"machine": "six", "cells": [{"velocity_mm_s": [1, 2], "turn_deg_s": 3}]}')
-    (folder / "goals.csv").write_text("x_mm,y_mm\n0,0\n")
-    (folder / "other.csv").write_text("x_mm,y_mm,angle_deg\n1,0,90\n")
+    (folder / "goals.csv").write_text("x_mm,y_mm\n0,0\n5,0\n")
+    (folder / "other.csv").write_text("x_mm,y_mm,angle_deg\n1,0,90\n0,9,\n")
     (folder / "clips").mkdir()
     film_cantilever(examples.K_B, examples.C_B, folder / "strip.mp4")
     return folder
@@ -284,10 +287,12 @@ def small_atlas() -> object:
         return making.atlas(duration=0.3, generations=1)
 
 
-def small_steering() -> tuple[object, object]:
-    """A menu of one motion, and an object that lies where it is to lie."""
+def small_steering() -> tuple[object, ...]:
+    """A menu of one motion, and an object that lies where it is to lie, and that does not follow a path."""
+    from plategait.control.follow import Following
     from plategait.control.goal import Goal
     from plategait.control.menu import Menu, drive_of
+    from plategait.control.path import figure_of_eight
     from plategait.control.response import resting
     from plategait.control.room import on_a_plate
     from plategait.control.steer import Arrival, Steering
@@ -298,7 +303,9 @@ def small_steering() -> tuple[object, object]:
     still = np.zeros((2, 3))
     arrival = Arrival(Goal(0.0, 0.0), True, 0.0, 0.0, 0.0, 0, "")
     way = Steering((arrival,), np.arange(2) / 60, still, still, still, ((0.0, cheese.motion),))
-    return Menu(cheese, drive, (drive.base,), resting(), 0.05), way
+    path = figure_of_eight(0.04)
+    off = np.full(len(path.points), 1e-3)
+    return Menu(cheese, drive, (drive.base,), resting(), 0.05), way, Following(path, way, off, off, off)
 
 
 @pytest.fixture(scope="module")
@@ -332,7 +339,7 @@ def answers(files) -> dict[str, object]:
     seen = track(files / "clip.mp4")
     estimate = estimate_parameters(files / "few.csv", cheese, noise=0.1, friction_ratio=0.53, fixed="natural_frequency",
                                    model_error=0)  # fmt: skip
-    menu, way = small_steering()
+    menu, way, followed = small_steering()
     names = estimate.posterior.unknowns.names
     plan = Plan(Condition(0.1, 0.003, 20.0), 0.0, dict.fromkeys(names, 1.0), dict.fromkeys(names, 0.5), (), None)
     told = {"summary": estimate.summary() | {"answered": True}, "fragment": "[sheet]\n", "failure": ""}
@@ -356,6 +363,7 @@ def answers(files) -> dict[str, object]:
         "plategait.control.pixels.PixelCamera": None,
         "plategait.control.plant.Plant": None,
         "plategait.control.steer.steer": [way],
+        "plategait.control.follow.follow": followed,
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
         "plategait.study.source.study_source": SourceStudy(
             learnt=Learnt(Evaluation((Choice({}),), np.ones((1, 3, 44, 3)), np.ones(1), np.zeros((1, 5))), ()),

@@ -19,7 +19,7 @@ def kept(tmp_path_factory) -> Path:
     """A menu from a third of the motions and runs that are usual."""
     path = tmp_path_factory.mktemp("steer") / "menu.json"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(menu, "_FIRST", 64)
+        patch.setattr(menu, "_FIRST", 40)
         menu_file.kept_menu(path, menu.on_a_plate("cheese"), generations=0)
     return path
 
@@ -69,9 +69,25 @@ def test_the_camera_may_be_pixels_that_a_tracker_reads(called, folder):
     assert 1e-6 < off.min() <= off.max() < 0.8
 
 
+def test_a_path_is_followed_as_far_as_the_time_allows(called, folder):
+    done = called("steer", *QUICK, "--path", "figure-of-eight", "--timeout", "1.5 s", "--plot", "way.png",
+                  cwd=folder, check=1)  # fmt: skip
+    path = json.loads(done.stdout)["path"]
+    # By hand: 3.05 heights for one that is half as wide as it is high.
+    assert path["length_mm"] == pytest.approx(122, abs=1)
+    assert path["status"] == "not within the time"
+    assert 0 < path["coverage"] < 0.9
+    assert path["rms_mm"] <= path["greatest_mm"]
+    assert (folder / "way.png").stat().st_size > 10_000
+
+
 @pytest.mark.parametrize(
     ("typed", "said"),
     [
+        (("--path", "TUM", "--height", "80 mm"), "so that the object stays on its plate; try one 51.5 % as large"),
+        (("--path", "café"), "a word of A to Z"),
+        (("--path", "L", "--within", "3 mm, 5 deg"), "a distance alone, along a path"),
+        (("--path", "L", "--to", "0 mm, 0 mm"), "--to: got"),
         ((), "--to: got nothing, must be a pose"),
         (("--to", "90 mm, 0 mm"), "within 55 mm along the bar and 55 mm across it"),
         (("--to", "1 mm, 2 mm, 3 mm"), "--to: got '3 mm'"),

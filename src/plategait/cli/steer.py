@@ -1,4 +1,4 @@
-"""`plategait steer`: an object brought to poses on a shaking plate, and held there."""
+"""`plategait steer`: an object brought to poses on a shaking plate and held there, or carried along a path."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from plategait.errors import InputError
 from plategait.files.output import PICTURES, check_outputs, check_writable
 
 if TYPE_CHECKING:
+    from plategait.control.follow import Following
     from plategait.control.goal import Goal
     from plategait.control.menu import Menu
     from plategait.control.steer import Steering
@@ -72,21 +73,24 @@ class SteeringFiles:
         """Refuse names that cannot be written to, before anything is read."""
         check_outputs((self.out, (".csv",), "--out"), (self.plot, PICTURES, "--plot"))
 
-    def write(self, way: Steering, goals: list[Goal], true: Scenario, within: tuple[float, float]) -> None:
+    def write(self, done: Steering | Following, goals: list[Goal], true: Scenario, within: tuple[float, float]) -> None:
         """Write them all."""
+        from plategait.control.figures import plot_following, plot_steering
+        from plategait.control.report import write_way
+        from plategait.control.steer import Steering
+        from plategait.plots.style import save
+
         if self.out:
-            from plategait.control.report import write_way
-
-            write_way(way, self.out, "--out")
-        if self.plot:
-            from plategait.control.figures import plot_steering
-            from plategait.plots.style import save
-
-            save(plot_steering(way, goals, true, within, true.name), self.plot)
+            write_way(done if isinstance(done, Steering) else done.way, self.out, "--out")
+        if self.plot and isinstance(done, Steering):
+            save(plot_steering(done, goals, true, within, true.name), self.plot)
+        elif self.plot and not isinstance(done, Steering):
+            save(plot_following(done, true, true.name), self.plot)
 
 
 @grouped
 def steer(
+    context: typer.Context,
     scenario: options.ScenarioName = "cheese",
     machine: MachineName = "source-robot",
     *,
@@ -97,25 +101,33 @@ def steer(
     files: SteeringFiles,
     as_json: options.Json = False,
 ) -> None:
-    """Bring an object to poses on a shaking plate, one after the other, and hold it at each.
+    """Bring an object to poses on a shaking plate and hold it at each, or carry it along a path.
 
-    Exit status 1 where a goal was not reached.
+    Exit status 1 where a goal, or the end of the path, was not reached.
     """
     files.check_names()
     if steered.menu is not None and not steered.menu.is_file():
         check_writable(steered.menu, (".json",), "--menu")
     steered.check()
-    goals, within, (hold, timeout) = aims.aimed_for(), aims.tolerances(), aims.seconds()
-    camera = seen.camera()
+    aims.check(context)
+    path, within, camera = aims.path_sought(), aims.tolerances(), seen.camera()
+    goals = aims.aimed_for() if path is None else []
+    hold, timeout = aims.seconds() if path is None else (0.0, aims.given_up())
+    from plategait.control.follow import follow
     from plategait.control.goal import check_goals, check_reach
+    from plategait.control.path import check_path
     from plategait.control.pixels import SNAPSHOTS, PixelCamera
     from plategait.control.plant import Plant
+    from plategait.control.report import camera_told, following_told, place_told, steering_told
     from plategait.control.room import on_a_plate
+    from plategait.control.steer import TIMEOUT
     from plategait.control.steer import steer as steered_by
 
     true, believed = (on_a_plate(each) for each in lies_there.true_and_believed(scenario))
     try:
         check_goals(goals, true)
+        if path is not None:
+            check_path(path, true, "--path")
         true = aims.laid(true)
         menu = steered.menu_for(true, believed, machine)
         check_reach(goals, menu)
@@ -125,14 +137,18 @@ def steer(
                   snapshot_interval=SNAPSHOTS if seen.through_pixels else 0.0)  # fmt: skip
     look = PixelCamera(plant, seed=steered.seed) if seen.through_pixels else None
     with report.progress_bar("steering") as progress:
-        (way,) = steered_by(plant, [goals], menu, method=steered.method, hold=hold, within=within,  # type: ignore[arg-type]
-                            timeout=timeout, look=look, progress=progress)  # fmt: skip
-    files.write(way, goals, true, within)
-    from plategait.control.report import camera_told, steering_told
-
-    numbers = steering_told(way, goals, true) | {
-        "machine": machine, "method": steered.method, "motions": len(menu), "hold_s": hold,
-        "within": {"mm": 1e3 * within[0], "deg": math.degrees(within[1])}, "timeout_s": timeout, "seed": steered.seed,
+        if path is not None:
+            done = follow(plant, path, menu, within=within[0], timeout=timeout, look=look, progress=progress)
+            told = following_told(done, within[0]) | {"within": {"mm": 1e3 * within[0]}}
+        else:
+            (done,) = steered_by(plant, [goals], menu, method=steered.method, hold=hold, within=within,  # type: ignore[arg-type]
+                                 timeout=timeout or TIMEOUT, look=look, progress=progress)  # fmt: skip
+            told = steering_told(done, goals) | {
+                "hold_s": hold, "within": {"mm": 1e3 * within[0], "deg": math.degrees(within[1])}, "timeout_s": timeout
+            }  # fmt: skip
+    files.write(done, goals, true, within)
+    numbers = place_told(true) | told | {
+        "machine": machine, "method": steered.method, "motions": len(menu), "seed": steered.seed,
         "camera": camera_told(camera), "through_pixels": seen.through_pixels,
     }  # fmt: skip
     report.print_json(numbers) if as_json else _print(numbers)
@@ -140,6 +156,9 @@ def steer(
 
 
 def _print(numbers: dict[str, Any]) -> None:
+    if "path" in numbers:
+        _print_path(numbers)
+        return
     rows = [
         [str(number), _pose(goal), "yes" if goal["reached"] else f"NO: {goal['status']}", _shown(goal["time_s"], "s"),
          _shown(goal["error_mm"], "mm"), _shown(goal["error_deg"], "deg"), str(goal["pulses"])]
@@ -150,6 +169,21 @@ def _print(numbers: dict[str, Any]) -> None:
     missed = sum(not goal["reached"] for goal in numbers["goals"])
     if missed:
         print(f"NOT REACHED: {missed} of {len(rows)}; try more --timeout, a larger --plate-size or wider --within")
+
+
+def _print_path(numbers: dict[str, Any]) -> None:
+    path = numbers["path"]
+    report.print_table(f"{numbers['scenario']} on {numbers['machine']}, along a path", ["", ""], [
+        ["length of its strokes", _shown(path["length_mm"], "mm")],
+        ["followed to the end", "yes" if path["reached"] else f"NO: {path['status']}"],
+        ["in", _shown(numbers["duration_s"], "s")],
+        ["cross-track error, r.m.s.", _shown(path["rms_mm"], "mm")],
+        ["greatest", _shown(path["greatest_mm"], "mm")],
+        [f"come within {numbers['within']['mm']:g} mm of", f"{100 * path['coverage']:.0f} %"],
+        ["pulses", str(path["pulses"])],
+    ])  # fmt: skip
+    if not path["reached"]:
+        print("NOT FOLLOWED to the end; try more --timeout, a larger --plate-size or a smaller --height")
 
 
 def _pose(goal: dict[str, Any]) -> str:

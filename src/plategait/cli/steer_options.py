@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from plategait.cli.command import refuse
 from plategait.cli.filmed import read_size
 from plategait.cli.options import build, read_share
 from plategait.errors import InputError
@@ -19,11 +20,13 @@ from plategait.units import Quantity
 if TYPE_CHECKING:
     from plategait.control.camera import Camera
     from plategait.control.goal import Goal
+    from plategait.control.path import Path as AlongPath
     from plategait.model.scenario import Scenario
 
 _HOLD = Quantity("s", "s", "2 s", at_least=0, at_most=3600)
 _TIMEOUT = Quantity("s", "s", "30 s", above=0, at_most=3600)
 _DISTANCE = Quantity("m", "mm", "3 mm", above=0, at_most=1)
+_HEIGHT = Quantity("m", "mm", "40 mm", above=0, at_most=1)
 _TURN = Quantity("rad", "deg", "5 deg", above=0, at_most=math.pi)
 _DARK = Quantity("s", "s", "1:1.5 s", at_least=0)
 _SHARE = Quantity("", "", "0.05", at_least=0, at_most=0.99)
@@ -43,14 +46,50 @@ class AimOptions:
     goals: Annotated[
         Path | None, typer.Option("--goals", help="Goals one after the other: .csv with x_mm, y_mm and angle_deg.")
     ] = None
+    path: Annotated[
+        str | None,
+        typer.Option(
+            "--path", help='Carry it along this at any angle: "figure of eight", a word, or a .csv with x_mm and y_mm.'
+        ),
+    ] = None
+    height: Annotated[str, typer.Option("--height", help="Of the figure of eight, or of the word's letters.")] = "40 mm"
     start: Annotated[
         str | None, typer.Option("--from", help='Where the object lies at first: "0 mm, 20 mm, 45 deg".')
     ] = None
     hold: Annotated[str, typer.Option("--hold", help="How long it is to stay at each goal.")] = "2 s"
     within: Annotated[
-        str, typer.Option("--within", help='How near counts as there: "3 mm, 5 deg", or the distance alone.')
-    ] = "3 mm, 5 deg"
-    timeout: Annotated[str, typer.Option("--timeout", help="After which a goal is given up.")] = "30 s"
+        str | None, typer.Option("--within", help='How near counts as there: "3 mm, 5 deg", or the distance alone.')
+    ] = None
+    timeout: Annotated[
+        str | None,
+        typer.Option(
+            "--timeout",
+            help="After which a goal, 30 s if left out, or a path is given up: four times what is expected of it.",
+        ),
+    ] = None
+
+    def check(self, context: typer.Context) -> None:
+        """Refuse what would change nothing along a path, or without one."""
+        if self.path is None:
+            refuse(context, ["height"], "where there is no path", '--path "figure of eight"')
+            return
+        refuse(context, ["to", "goals"], "with --path", "the one or the other")
+        refuse(context, ["hold", "method"], "with --path, which pulses go along without a stop", "--to for a place")
+        if _is_file(self.path):
+            refuse(context, ["height"], "with a file, which tells its own", "the path in the size that it is to have")
+
+    def path_sought(self) -> AlongPath | None:
+        """Path in SI, if one was typed."""
+        from plategait.control.path import FIGURE_OF_EIGHT, figure_of_eight, read_path, word_path
+
+        if self.path is None:
+            return None
+        if _is_file(self.path):
+            return read_path(self.path, "--path")
+        height = _HEIGHT.read(self.height, "--height")
+        if self.path.lower().replace("-", " ").split() == FIGURE_OF_EIGHT.split():
+            return figure_of_eight(height)
+        return word_path(self.path, height, "--path")
 
     def aimed_for(self) -> list[Goal]:
         """Goals in SI."""
@@ -76,19 +115,27 @@ class AimOptions:
         """How near counts as there, m and rad."""
         from plategait.control.goal import WITHIN_ANGLE
 
-        parts = [part.strip() for part in self.within.split(",")]
-        if len(parts) > 2:
-            raise InputError("--within", self.within, "a distance, and an angle", '"3 mm, 5 deg"')
+        typed = self.within or ("3 mm" if self.path is not None else "3 mm, 5 deg")
+        parts = [part.strip() for part in typed.split(",")]
+        if len(parts) > (1 if self.path is not None else 2):
+            allowed = "a distance alone, along a path" if self.path is not None else "a distance, and an angle"
+            raise InputError("--within", typed, allowed, f'"{parts[0]}"')
         angle = _TURN.read(parts[1], "--within") if len(parts) == 2 else WITHIN_ANGLE
         return _DISTANCE.read(parts[0], "--within"), angle
 
     def seconds(self) -> tuple[float, float]:
         """How long to stay at a goal, and when to give one up, s."""
-        hold, timeout = _HOLD.read(self.hold, "--hold"), _TIMEOUT.read(self.timeout, "--timeout")
+        hold, timeout = _HOLD.read(self.hold, "--hold"), self.given_up("30 s")
+        assert timeout is not None
         if hold >= timeout:
             raise InputError("--hold", f"{hold:g} s", f"less than the {timeout:g} s after which a goal is given up",
                              f'--timeout "{hold + 30:g} s"')  # fmt: skip
         return hold, timeout
+
+    def given_up(self, usual: str | None = None) -> float | None:
+        """When something is given up, s; None where nobody said so."""
+        typed = self.timeout or usual
+        return None if typed is None else _TIMEOUT.read(typed, "--timeout")
 
     def laid(self, scenario: Scenario) -> Scenario:
         """Scenario with the object where it is to begin."""
@@ -130,6 +177,11 @@ class ObjectOptions:
             true, believed = true.replace(plate=plate), believed.replace(plate=plate)
             _check_room(true)
         return true, believed
+
+
+def _is_file(path: str) -> bool:
+    """Whether a path as typed is a file, and not a word."""
+    return path.lower().endswith(".csv")
 
 
 def _check_room(scenario: Scenario) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
 from plategait.arrays import Array
@@ -21,7 +22,7 @@ from plategait.errors import InputError
 _AHEAD = 0.05
 # What a millimetre beside the path counts on each millimetre of it, s/m³; over how much of it what is left where a
 # pulse ends will be made up for, m; and the share of all this that counts on the ways between strokes.
-_BESIDE, _MENDED, _BETWEEN = 0.04e9, 8e-3, 0.02
+_BESIDE, _MENDED, _BETWEEN = 0.06e9, 8e-3, 0.02
 # Where the way along the path is counted anew, m.
 _EVERY = 5e-3
 # What no pulse is surer than, m.
@@ -53,22 +54,22 @@ class ContourController(BlendingController):
         self.path, self._arc = path, path.arc
         # Where a pulse is stopped, the angle does not matter.
         self._scale = np.array([WITHIN, WITHIN, np.inf])
-        self._rest = self._rest_of_it()
         self._weight = _BESIDE * np.where(path.drawn, 1.0, _BETWEEN)
+        self._rest = self._rest_of_it()
         self._lay: Array = path.points[0]
         self._place = 0
         self.finished = False
 
     def _rest_of_it(self) -> Array:
-        """(n,) time that the rest of the path takes from each of its points, in mixtures of short pulses, s."""
+        """(n,) time that the rest of the path takes from each of its points, in mixtures of pulses, s."""
         points = self.path.points
         steps, every = np.diff(points, axis=0), max(round(_EVERY / STEP), 1)
         times = np.zeros(len(steps))
         for begin in range(0, len(steps), every):
             part = slice(begin, begin + every)
-            moved = self.pulses.at(points[min(begin + every // 2, len(steps))])[self.pulses.short, :2]
-            lasts = self.pulses.times[self.pulses.short] + PAUSE
-            times[part] = _planar_times(moved / lasts[:, None], steps[part])
+            middle = min(begin + every // 2, len(steps))
+            velocities = self.pulses.at(points[middle])[1:, :2] / self._costs_at(middle)[1:, None]
+            times[part] = _planar_times(velocities, steps[part])
         if not np.isfinite(times).all():
             x, y = 1e3 * points[int(np.argmax(~np.isfinite(times)))]
             raise InputError("path", f"({x:.0f}, {y:.0f}) mm on it", "where the motions carry the object every way",
@@ -95,24 +96,24 @@ class ContourController(BlendingController):
         ends = pulses.ends(here)
         own = self.costs() + self.outside(ends, pulses.spread)
         beside, places = self._along(here[:2], self._place, ends[:, :2])
-        now = float(self._left(here[None, :2], np.array([self._place]))[0])
-        left = beside + self._left(ends[:, :2], places)
-        gain = (now - left) / own
-        kept = np.argsort(left + own)[:_KEPT]
+        total = own + beside + self._left(ends[:, :2], places)
+        kept = np.argsort(total)[:_KEPT]
         for k, second in zip(kept.tolist(), pulses.ends(ends[kept]), strict=True):
             further, after = self._along(ends[k, :2], int(places[k]), second[:, :2])
-            both = own[k] + self.costs() + self.outside(second, pulses.spread)
-            saved = now - beside[k] - further - self._left(second[:, :2], after)
-            gain[k] = max(gain[k], float((saved / both).max()))
-        gain[0] = -np.inf
-        best = int(gain.argmax())
+            both = own[k] + beside[k] + self.costs() + self.outside(second, pulses.spread)
+            total[k] = min(total[k], float((both + further + self._left(second[:, :2], after)).min()))
+        total[0] = np.inf
+        best = int(total.argmin())
         self.goal = np.array([*self.path.points[places[best]], math.nan])
         return best, ends[best]
 
     def costs(self) -> Array:
         """(k,) what each pulse counts by itself, s: its time, that of the rest after it, and what is unsure of it."""
+        return self._costs_at(self._place)
+
+    def _costs_at(self, place: int) -> Array:
         unsure = np.maximum((self.pulses.spread[:, :2] ** 2).sum(axis=1), _SURE**2)
-        return self.pulses.times + PAUSE + _MENDED * self._weight[self._place] * unsure
+        return self.pulses.times + PAUSE + _MENDED * self._weight[place] * unsure
 
     def _come_to(self, here: Array) -> None:
         """Note how far along the path the object has come since it last lay still: never back, and skipping nothing."""
@@ -124,12 +125,12 @@ class ContourController(BlendingController):
             self.finished = True
             self.aim(np.array([*end, math.nan]))
 
-    def _left(self, ends: Array, places: Array) -> Array:
+    def _left(self, ends: Array, places: NDArray[np.int64]) -> Array:
         """(k,) what is left at points of the path, s, and what it counts that ends (k, 2) lie beside them."""
         off = ((ends - self.path.points[places]) ** 2).sum(axis=-1)
         return self._rest[places] + _MENDED * self._weight[places] * off
 
-    def _along(self, begin: Array, place: int, ends: Array) -> tuple[Array, Array]:
+    def _along(self, begin: Array, place: int, ends: Array) -> tuple[Array, NDArray[np.int64]]:
         """What straight moves to ends (k, 2) count for how far beside the path they go, s, and the points they come to.
 
         The integral of the squared distance between the path, from a place on, and the move that keeps step with it.

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from plategait.arrays import Array
+from plategait.control.follow import Following
 from plategait.control.goal import Goal
 from plategait.control.steer import Steering
 from plategait.model.scenario import Plate, Scenario
@@ -58,6 +59,32 @@ def plot_steering(
         reached = number < len(way.arrivals) and way.arrivals[number].reached
         name = "goal" if len(goals) == 1 else str(number + 1)
         _mark(plate, goal.pose, GREEN if reached else RED, name, within[0])
+    figure.suptitle(title, fontsize=10)
+    return figure
+
+
+def plot_following(following: Following, scenario: Scenario, title: str = "") -> Figure:
+    """How far the object was from each point of its path when it came by, and its way along the path."""
+    figure = new_figure(11.0, 4.8)
+    left, right = figure.subplots(1, 2, width_ratios=(1.25, 1))
+    path, way = following.path, following.way
+    for begin, end in path.ends:
+        arc, part = 1e3 * path.arc[begin:end], slice(begin, end)
+        left.fill_between(
+            arc, 1e3 * following.nearest[part], 1e3 * following.farthest[part], color=BLUE, alpha=0.2, lw=0
+        )
+        left.plot(arc, 1e3 * following.errors[part], color=BLUE, lw=1.2)
+    left.axhline(1e3 * following.rms, color=GREY, lw=0.8, ls="--")
+    left.annotate("r.m.s.", (0.99, 1e3 * following.rms), (0, 3), xycoords=("axes fraction", "data"),
+                  textcoords="offset points", ha="right", fontsize=8, color=GREY)  # fmt: skip
+    left.set_ylim(bottom=0)
+    label_axes(left, "along the path (mm)", "distance from it (mm)")
+    draw_plate(right, scenario, np.concatenate([way.poses[:, :2], path.points]))
+    for stroke in path.strokes:
+        right.plot(*(1e3 * stroke.T), color=RED, lw=3, alpha=0.4)
+    right.plot(*(1e3 * way.poses[:, :2].T), color=BLUE, lw=0.8)
+    _mark(right, way.poses[0], GREY, "start")
+    _mark(right, way.poses[-1], BLUE, "")
     figure.suptitle(title, fontsize=10)
     return figure
 

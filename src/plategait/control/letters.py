@@ -50,12 +50,12 @@ def strokes_of(word: str, height: float, field: str = "path") -> list[Array]:
             left += _SPACE
             continue
         if letter not in _GLYPHS:
-            raise InputError(field, word, "a word of A to Z, 0 to 9, hyphens and blanks, a .csv file, or figure of eight",
+            raise InputError(field, word, "a word of A to Z, 0 to 9, - and blanks, figure of eight, or a .csv file",
                              '"figure of eight"')  # fmt: skip
         glyph = [np.array([[int(c, 16) for c in corner] for corner in stroke.split()], dtype=float)
                  for stroke in _GLYPHS[letter].split("/")]  # fmt: skip
         every = np.concatenate(glyph)
-        strokes += [stroke + (left - every[:, 0].min(), 0.0) for stroke in glyph]
+        strokes += [stroke + np.array([left - every[:, 0].min(), 0.0]) for stroke in glyph]
         left += int(np.ptp(every[:, 0])) + _GAP
     if not strokes:
         raise InputError(field, word, "a word with letters in it", '"figure of eight"')

@@ -52,10 +52,15 @@ class Path:
         return float(steps[self.drawn[1:] & self.drawn[:-1]].sum())
 
     @property
+    def ends(self) -> list[tuple[int, int]]:
+        """First point of each stroke, and the one after its last."""
+        changes = np.flatnonzero(np.diff(np.concatenate([[False], self.drawn, [False]]).astype(int)))
+        return [(int(begin), int(end)) for begin, end in changes.reshape(-1, 2)]
+
+    @property
     def strokes(self) -> list[Array]:
         """Points of each stroke."""
-        ends = np.flatnonzero(np.diff(np.concatenate([[False], self.drawn, [False]]).astype(int)))
-        return [self.points[a:b] for a, b in ends.reshape(-1, 2).tolist()]
+        return [self.points[begin:end] for begin, end in self.ends]
 
     def begun_at(self, place: Array) -> Path:
         """The same path with the way to its beginning before it."""
@@ -136,7 +141,8 @@ def check_path(path: Path, scenario: Scenario, field: str = "path") -> None:
     reached = np.abs(path.points).max(axis=0)
     if (reached > room + 1e-9).any():
         ends = np.floor(1e3 * room)
-        raise InputError(field, f"up to {1e3 * reached[0]:.1f} mm along the bar and {1e3 * reached[1]:.1f} mm across it",
+        got = f"up to {1e3 * reached[0]:.1f} mm along the bar and {1e3 * reached[1]:.1f} mm across it"
+        raise InputError(field, got,
                          f"within {ends[0]:.0f} mm and {ends[1]:.0f} mm, so that the object stays on its plate",
                          f"one {math.floor(1e3 * (room / np.maximum(reached, 1e-9)).min()) / 10:g} % as large, "
                          "or a larger --plate-size")  # fmt: skip

@@ -12,6 +12,7 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.control.camera import Camera
+from plategait.control.follow import Following
 from plategait.control.goal import Goal
 from plategait.control.steer import Arrival, Steering
 from plategait.files.output import write_whole
@@ -23,18 +24,13 @@ NOT_AIMED_FOR = "not aimed for"
 _PEOPLES = np.array([1e3, 1e3, math.degrees(1)])
 
 
-def steering_told(way: Steering, goals: Sequence[Goal], scenario: Scenario) -> dict[str, Any]:
+def steering_told(way: Steering, goals: Sequence[Goal]) -> dict[str, Any]:
     """Plain numbers for `--json`: goals, those included that were not aimed for any more, and the way to them."""
     missed = [None] * (len(goals) - len(way.arrivals))
-    plate = scenario.plate or Plate()
     return {
-        "scenario": scenario.name,
-        "plate_mm": [1e3 * plate.length, 1e3 * plate.width],
         "goals": [_told(goal, arrival) for goal, arrival in zip(goals, [*way.arrivals, *missed], strict=True)],
         "reached": way.reached and not missed,
-        "duration_s": float(way.times[-1]) if len(way.times) else 0.0,
-        "start": pose_told(way.poses[0]),
-        "end": pose_told(way.poses[-1]),
+        **_way_told(way),
     }
 
 
@@ -54,6 +50,39 @@ def _told(goal: Goal, arrival: Arrival | None) -> dict[str, Any]:
         "error_deg": None if any_angle else plain(math.degrees(arrival.angle_error)),
         "pulses": arrival.pulses,
         "status": arrival.status,
+    }
+
+
+def following_told(following: Following, within: float) -> dict[str, Any]:
+    """Plain numbers for `--json`: how near an object stayed to its path, and how long it took."""
+    way = following.way
+    return {
+        "path": {
+            "length_mm": 1e3 * following.path.length,
+            "reached": following.reached,
+            "time_s": plain(way.arrivals[0].time),
+            "rms_mm": plain(1e3 * following.rms),
+            "greatest_mm": plain(1e3 * following.greatest),
+            "coverage": following.coverage(within),
+            "pulses": way.arrivals[0].pulses,
+            "status": way.arrivals[0].status,
+        },
+        "reached": following.reached,
+        **_way_told(way),
+    }
+
+
+def place_told(scenario: Scenario) -> dict[str, Any]:
+    """What lies on which plate, as JSON has it."""
+    plate = scenario.plate or Plate()
+    return {"scenario": scenario.name, "plate_mm": [1e3 * plate.length, 1e3 * plate.width]}
+
+
+def _way_told(way: Steering) -> dict[str, Any]:
+    return {
+        "duration_s": float(way.times[-1]) if len(way.times) else 0.0,
+        "start": pose_told(way.poses[0]),
+        "end": pose_told(way.poses[-1]),
     }
 
 

@@ -177,8 +177,9 @@ def steer(
     total, table = sum(len(own) for own in goals), Pulses(menu.response)
     seen = plant.seen if look is None else look(plant)
     lanes = [_lane(plant, i, own, menu, table, method, learns, within, seen) for i, own in enumerate(goals)]
-    for lane in lanes if controller is not None else []:
-        lane.controller = controller(table)
+    if controller is not None:
+        for lane in lanes:
+            lane.controller = controller(table)
     time = 0.0
     while not all(lane.over for lane in lanes):
         for i, lane in enumerate(lanes):
