@@ -73,6 +73,12 @@ class Menu:
         """Return the number of motions."""
         return len(self.motions)
 
+    def raised(self, height: float) -> tuple[PlateMotion, ...]:
+        """The motions of a plate that lies so far above its axis, m."""
+        if height == self.scenario.motion.height:
+            return self.motions
+        return tuple(motion.with_valid(height=height) for motion in self.motions)
+
 
 def drive_of(placed: Scenario, machine: Machine, acceleration: float | str = ACCELERATION) -> Drive:
     """What the motors of a machine can do with a plate while an object is steered on it."""

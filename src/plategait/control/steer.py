@@ -96,6 +96,7 @@ class _Lane:
     """One sheet while it is steered."""
 
     goals: Sequence[Goal]
+    motions: tuple[PlateMotion, ...]
     controller: BlendingController
     observer: Observer
     learner: Learner | None
@@ -183,10 +184,10 @@ def steer(
     time = 0.0
     while not all(lane.over for lane in lanes):
         for i, lane in enumerate(lanes):
-            _decide(lane, menu, plant, i, seen, time, hold, within, timeout)
+            _decide(lane, plant, i, seen, time, hold, within, timeout)
         if each_tick is not None:
             each_tick(plant, time)
-        seen = plant.step([menu.motions[lane.motion] for lane in lanes])
+        seen = plant.step([lane.motions[lane.motion] for lane in lanes])
         seen = seen if look is None else look(plant)
         time += plant.tick
         if progress is not None:
@@ -212,11 +213,18 @@ def _lane(
     looks = method != "open-loop"
     learner = Learner(menu.response) if learns and looks else None
     controller = BlendingController(menu, table, aimed, 1 if method == "one-pulse" else None, within)
-    return _Lane(goals, controller, Observer(plant.camera, menu.response, first), learner, looks)
+    return _Lane(
+        goals,
+        menu.raised(plant.session.scenarios[i].motion.height),
+        controller,
+        Observer(plant.camera, menu.response, first),
+        learner,
+        looks,
+    )
 
 
 def _decide(
-    lane: _Lane, menu: Menu, plant: Plant, i: int, seen: Seen, time: float, hold: float,
+    lane: _Lane, plant: Plant, i: int, seen: Seen, time: float, hold: float,
     within: tuple[float, float], timeout: float,
 ) -> None:  # fmt: skip
     """Look, judge, learn and choose for one sheet."""
@@ -236,7 +244,7 @@ def _decide(
         _learn(lane, moved)
         before, lane.motion = lane.motion, lane.controller.choose(observer)
         if lane.motion != before:
-            lane.told.append((time, menu.motions[lane.motion]))
+            lane.told.append((time, lane.motions[lane.motion]))
     observer.told(lane.motion)
 
 
