@@ -64,7 +64,7 @@ def test_frames_tell_where_a_sheet_lies_when_they_have_arrived():
 def test_a_controller_goes_by_what_the_pixels_show():
     """The camera of a plant that believes in 30 Hz, and a goal at which the object lies: held without a pulse."""
     drive = drive_of(CHEESE, machine_of("source-robot"))
-    menu = Menu(CHEESE, drive, (drive.base.replace(angle=0.0, stroke=0.0),), resting(), 0.05)
+    menu = Menu(CHEESE, drive, (drive.base.replace(angle=0.0, stroke=0.0),), np.zeros((1, len(drive))), resting(), 0.05)
     plant = plant_of()
     (way,) = steer(plant, [[Goal(0.02, -0.01, 2.5)]], menu, hold=0.3, look=PixelCamera(plant, size=SMALL))
     assert way.reached

@@ -29,7 +29,11 @@ class ControlOptions:
     """How the object is steered, as typed."""
 
     method: Annotated[
-        str, typer.Option("--method", help="blend (pulses, one after the other), one-pulse, or open-loop (blind).")
+        str,
+        typer.Option(
+            "--method",
+            help="blend (pulses, one after the other), mppi (futures by the engine), one-pulse, or open-loop (blind).",
+        ),
     ] = "blend"
     generations: Annotated[
         int, typer.Option("--generations", help="Of the search for motions; fewer are found sooner.", min=0, max=100)

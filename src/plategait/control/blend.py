@@ -14,6 +14,7 @@ from plategait.control.pulse import Pulses
 from plategait.control.response import stopped, wrapped
 from plategait.control.room import room_of
 from plategait.control.value import TimeToGo
+from plategait.model.motion import PlateMotion
 
 REST = 9
 """Ticks that an object is left to come to rest, and seen to, before the next pulse."""
@@ -51,6 +52,8 @@ class BlendingController:
         Pulses that it may make: as many as it takes by default.
     within : (float, float)
         How near to the goal counts as there, m and rad.
+    looks : bool
+        Whether frames come, without which it stops.
     """
 
     def __init__(
@@ -60,6 +63,7 @@ class BlendingController:
         goal: Array,
         most: int | None = None,
         within: tuple[float, float] = (WITHIN, WITHIN_ANGLE),
+        looks: bool = True,
     ) -> None:
         self.menu, self.pulses, self.goal = menu, pulses, goal
         self._room = room_of(menu.scenario) - _KEPT_OFF
@@ -67,7 +71,7 @@ class BlendingController:
         self._scale = self._within[[0, 0, 1]]
         self.motion, self.made, self._most = 0, 0, most
         self._rested, self._going, self._planned = REST, 0, 0
-        self._target = goal
+        self._target, self._looks = goal, looks
         self._togo: TimeToGo | None = None
         self.finished = True
         """Whether being at the goal is all that is left to do."""
@@ -87,31 +91,37 @@ class BlendingController:
 
     def choose(self, observer: Observer) -> int:
         """Motion to take hold from now on, as its place in the menu."""
-        blind = observer.since_seen > BLIND
+        blind = self._looks and observer.since_seen > BLIND
         if self.motion == 0:
             self._rested += 1
             if self.at_rest and not blind and (self._most is None or self.made < self._most):
-                self._begin(observer.expected())
+                self._begin(observer)
         else:
             self._going += 1
-            if blind or self._nearest(observer.expected()) == 0:
+            if blind or self._over(observer):
                 self.motion, self._rested = 0, 0
         return self.motion
 
-    def _begin(self, state: Array) -> None:
-        pulse, end = self.plan(state)
+    def told(self, motions: tuple[PlateMotion, ...]) -> PlateMotion:
+        """Motion that the plate is told, of a menu's motions at its height."""
+        return motions[self.motion]
+
+    def _begin(self, observer: Observer) -> None:
+        """Decide on the next pulse, or on none."""
+        pulse, end = self.plan(observer.expected())
         motion = int(self.pulses.motion[pulse])
         if motion:
             self.motion, self._target = motion, end
             self._planned, self._going, self._rested = int(self.pulses.ticks[pulse]), 0, 0
             self.made += 1
 
-    def _nearest(self, state: Array) -> int:
-        """Ticks more after which the object comes nearest to where it was to end."""
+    def _over(self, observer: Observer) -> bool:
+        """Whether the object comes nearest now to where it was to end."""
+        state = observer.expected()
         most = round(_LONGER * self._planned) + _LATE
         ends = self.pulses.going(self.motion, state, max(most - self._going, 0))
         off = wrapped(ends - self._target) / self._scale
-        return int((off**2).sum(axis=1).argmin())
+        return int((off**2).sum(axis=1).argmin()) == 0
 
     def _off(self, poses: Array) -> Array:
         """(…,) how far from the goal poses (…, 3) are, over the tolerances: the greater of distance and angle."""
@@ -138,10 +148,14 @@ class BlendingController:
 
     def plan(self, state: Array) -> tuple[int, Array]:
         """Pulse to make from a state (6,), and where it ends; the first, which is none, where the object is there."""
+        pose = stopped(state)
+        best = 0 if self._off(pose) < _THERE else int(self.gains(pose).argmax())
+        return best, self.pulses.ends(pose)[best]
+
+    def gains(self, pose: Array) -> Array:
+        """(k,) time to go that each pulse from rest at a pose (3,) saves, over the time that it takes."""
         pulses = self.pulses
-        ends = pulses.ends(stopped(state))
-        if self._off(ends[0]) < _THERE:
-            return 0, ends[0]
+        ends = pulses.ends(pose)
         alone, left = self.costs(), self.left(ends)
         own = alone + self.outside(ends, pulses.spread)
         gain = (left[0] - left) / own
@@ -151,5 +165,4 @@ class BlendingController:
         second = pulses.ends(ends[kept])
         both = own[kept, None] + alone + self.outside(second, pulses.spread)
         gain[kept] = np.maximum(gain[kept], ((left[0] - self.left(second)) / both).max(axis=1))
-        best = int(gain.argmax())
-        return best, ends[best]
+        return gain

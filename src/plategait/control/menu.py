@@ -58,6 +58,8 @@ class Menu:
         The object, on its plate.
     drive : Drive
     motions : tuple of PlateMotion
+    actions : (m, d) array
+        Actions of the drive that stand for them; of the first, zeros.
     response : Response
     reach : float
         How far from the middle of the plate the responses were measured, each way, m.
@@ -66,6 +68,7 @@ class Menu:
     scenario: Scenario
     drive: Drive
     motions: tuple[PlateMotion, ...]
+    actions: Array
     response: Response
     reach: float
 
@@ -154,7 +157,8 @@ def menu_of(
     if len(sure) < 2:
         raise InputError("machine", drive.machine.name, "one whose motions the object follows", "a larger plate")
     report(1.0)
-    return Menu(placed, drive, tuple(motions[i] for i in sure), told.of(sure), reach)
+    actions = np.concatenate([np.zeros((1, len(drive))), chosen])[sure]
+    return Menu(placed, drive, tuple(motions[i] for i in sure), actions, told.of(sure), reach)
 
 
 def usable(response: Response, times: float = 1.0) -> Flags:

@@ -63,6 +63,7 @@ def kept_menu(
         told = {
             "kept for": asked,
             "reach_m": menu.reach,
+            "actions": menu.actions.tolist(),
             "motions": [motion_fields(motion) for motion in menu.motions],
             "field": {"powers": menu.response.field.powers, "reach_m": menu.response.field.reach},
             "response": {name: getattr(menu.response, name).tolist() for name in _ARRAYS},
@@ -88,8 +89,8 @@ def _read(path: Path, asked: dict[str, Any], scenario: Scenario, machine: Machin
         arrays = {name: np.array(told["response"][name], dtype=bool if name == "failed" else float) for name in _ARRAYS}
         powers = tuple((int(i), int(j)) for i, j in told["field"]["powers"])
         response = Response(**arrays, field=Field(powers, float(told["field"]["reach_m"])))
-        reach = float(told["reach_m"])
-        shapes = [np.shape(array)[0] for array in arrays.values()]
+        reach, actions = float(told["reach_m"]), np.array(told["actions"], dtype=float)
+        shapes = [np.shape(array)[0] for array in (actions, *arrays.values())]
     except (ValueError, TypeError, KeyError, AttributeError, IndexError):
         raise InputError(field, str(path), _ALLOWED, f"another name, such as {path.stem}-new.json") from None
     if kept != asked or set(shapes) != {len(motions)}:
@@ -98,4 +99,4 @@ def _read(path: Path, asked: dict[str, Any], scenario: Scenario, machine: Machin
                          "that of the same object, plate, machine and search",
                          f"another name, such as {path.stem}-new.json")  # fmt: skip
     placed = on_a_plate(scenario)
-    return Menu(placed, drive_of(placed, machine), motions, response, reach)
+    return Menu(placed, drive_of(placed, machine), motions, actions, response, reach)

@@ -12,9 +12,11 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.control.blend import REST, BlendingController
 from plategait.control.camera import Seen
+from plategait.control.futures import Futures
 from plategait.control.goal import HOLD, WITHIN, WITHIN_ANGLE, Goal, check_goals, off
 from plategait.control.learn import Learner
 from plategait.control.menu import Menu
+from plategait.control.mppi import FUTURES, SamplingController
 from plategait.control.observer import Observer
 from plategait.control.plant import Plant
 from plategait.control.pulse import Pulses
@@ -22,9 +24,9 @@ from plategait.control.response import TICK
 from plategait.errors import InputError
 from plategait.model.motion import PlateMotion
 
-Method = Literal["blend", "open-loop", "one-pulse"]
-METHODS: tuple[Method, ...] = ("blend", "open-loop", "one-pulse")
-"""Controllers by name: blending pulses; the same without looking; one pulse only."""
+Method = Literal["blend", "mppi", "open-loop", "one-pulse"]
+METHODS: tuple[Method, ...] = ("blend", "mppi", "open-loop", "one-pulse")
+"""Controllers by name: blending pulses; sampling futures by the engine; blending without looking; one pulse only."""
 TIMEOUT = 30.0
 """Time after which a goal is given up, s."""
 DARK = 2.0
@@ -132,6 +134,7 @@ def steer(
     each_tick: Callable[[Plant, float], object] | None = None,
     look: Callable[[Plant], Seen] | None = None,
     controller: Callable[[Pulses], BlendingController] | None = None,
+    threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> list[Steering]:
     """Steer the sheets of a plant, each to its goals one after the other.
@@ -144,9 +147,9 @@ def steer(
         One for each lane.
     menu : Menu
         Motions, and how the object that is believed to lie there responds to them.
-    method : {"blend", "open-loop", "one-pulse"}
+    method : {"blend", "mppi", "open-loop", "one-pulse"}
     learns : bool
-        Whether the responses are learnt as the object moves.
+        Whether the responses are learnt as the object moves; MPPI asks the engine and learns none.
     hold : float
         How long the object is to stay at each goal, s; 0 for a way from place to place.
     within : (float, float)
@@ -159,6 +162,8 @@ def steer(
         What tells poses instead of the plant's own cameras, such as a tracker.
     controller : callable, optional
         Makes each lane's controller of the menu's pulses, in place of a method's.
+    threads : int, optional
+        Cores that futures are rolled forward on; all by default.
     progress : callable, optional
         Called with the fraction of the goals that are done.
 
@@ -175,19 +180,18 @@ def steer(
         raise InputError("tick", f"{plant.tick:g} s", f"{TICK:g} s, which responses are measured at", "1 / 60")
     for own in goals:
         check_goals(own, menu.scenario)
-    total, table = sum(len(own) for own in goals), Pulses(menu.response)
+    total = sum(len(own) for own in goals)
+    controlled = _controlled(method, menu, within, threads) if controller is None else _given(controller, menu)
     seen = plant.seen if look is None else look(plant)
-    lanes = [_lane(plant, i, own, menu, table, method, learns, within, seen) for i, own in enumerate(goals)]
-    if controller is not None:
-        for lane in lanes:
-            lane.controller = controller(table)
+    learns, looks = learns and method != "mppi", method != "open-loop"
+    lanes = [_lane(plant, i, own, menu, controlled, learns, looks, seen) for i, own in enumerate(goals)]
     time = 0.0
     while not all(lane.over for lane in lanes):
         for i, lane in enumerate(lanes):
             _decide(lane, plant, i, seen, time, hold, within, timeout)
         if each_tick is not None:
             each_tick(plant, time)
-        seen = plant.step([lane.motions[lane.motion] for lane in lanes])
+        seen = plant.step([lane.controller.told(lane.motions) for lane in lanes])
         seen = seen if look is None else look(plant)
         time += plant.tick
         if progress is not None:
@@ -196,31 +200,35 @@ def steer(
 
 
 def _lane(
-    plant: Plant,
-    i: int,
-    goals: Sequence[Goal],
-    menu: Menu,
-    table: Pulses,
-    method: Method,
-    learns: bool,
-    within: tuple[float, float],
-    seen: Seen,
-) -> _Lane:
-    first = seen.poses[i] if np.isfinite(seen.poses[i]).all() else np.array(
-        [plant.session.scenarios[i].start.x, plant.session.scenarios[i].start.y, plant.session.scenarios[i].start.angle]
-    )  # fmt: skip
-    aimed = goals[0].pose if goals else np.zeros(3)
-    looks = method != "open-loop"
-    learner = Learner(menu.response) if learns and looks else None
-    controller = BlendingController(menu, table, aimed, 1 if method == "one-pulse" else None, within)
+    plant: Plant, i: int, goals: Sequence[Goal], menu: Menu, controlled: Callable[[Array, int], BlendingController],
+    learns: bool, looks: bool, seen: Seen,
+) -> _Lane:  # fmt: skip
+    scenario = plant.session.scenarios[i]
+    start = np.array([scenario.start.x, scenario.start.y, scenario.start.angle])
+    first = seen.poses[i] if np.isfinite(seen.poses[i]).all() else start
     return _Lane(
-        goals,
-        menu.raised(plant.session.scenarios[i].motion.height),
-        controller,
-        Observer(plant.camera, menu.response, first),
-        learner,
-        looks,
-    )
+        goals, menu.raised(scenario.motion.height), controlled(goals[0].pose if goals else np.zeros(3), i),
+        Observer(plant.camera, menu.response, first), Learner(menu.response) if learns and looks else None, looks,
+    )  # fmt: skip
+
+
+def _controlled(
+    method: Method, menu: Menu, within: tuple[float, float], threads: int | None
+) -> Callable[[Array, int], BlendingController]:
+    """What makes the controller of a goal and a lane."""
+    pulses = Pulses(menu.response)
+    if method == "mppi":
+        futures = Futures(menu.scenario.with_valid(motion=menu.motions[0]), FUTURES, threads)
+        return lambda goal, lane: SamplingController(menu, pulses, goal, futures, within, seed=lane)
+    most, looks = 1 if method == "one-pulse" else None, method != "open-loop"
+    return lambda goal, _: BlendingController(menu, pulses, goal, most, within, looks)
+
+
+def _given(
+    controller: Callable[[Pulses], BlendingController], menu: Menu
+) -> Callable[[Array, int], BlendingController]:
+    pulses = Pulses(menu.response)
+    return lambda _, __: controller(pulses)
 
 
 def _decide(
@@ -244,7 +252,7 @@ def _decide(
         _learn(lane, moved)
         before, lane.motion = lane.motion, lane.controller.choose(observer)
         if lane.motion != before:
-            lane.told.append((time, lane.motions[lane.motion]))
+            lane.told.append((time, lane.controller.told(lane.motions)))
     observer.told(lane.motion)
 
 
