@@ -305,7 +305,11 @@ def small_steering() -> tuple[object, ...]:
     way = Steering((arrival,), np.arange(2) / 60, still, still, still, ((0.0, cheese.motion),))
     path = figure_of_eight(0.04)
     off = np.full(len(path.points), 1e-3)
-    return Menu(cheese, drive, (drive.base,), np.zeros((1, len(drive))), resting(), 0.05), way, Following(path, way, off, off, off)
+    return (
+        Menu(cheese, drive, (drive.base,), np.zeros((1, len(drive))), resting(), 0.05),
+        way,
+        Following(path, way, off, off, off),
+    )
 
 
 @pytest.fixture(scope="module")

@@ -92,7 +92,7 @@ def test_a_path_is_followed_as_far_as_the_time_allows(called, folder):
         (("--to", "90 mm, 0 mm"), "within 55 mm along the bar and 55 mm across it"),
         (("--to", "1 mm, 2 mm, 3 mm"), "--to: got '3 mm'"),
         (("--to", "0 mm, 0 mm", "--from", "0 mm, 99 mm"), "--from: got '(0, 99) mm'"),
-        (("--to", "0 mm, 0 mm", "--method", "magic"), "one of blend, open-loop, one-pulse"),
+        (("--to", "0 mm, 0 mm", "--method", "magic"), "one of blend, mppi, open-loop, one-pulse"),
         (("--to", "0 mm, 0 mm", "--camera-rate", "0 Hz"), "--camera-rate: got '0 Hz'"),
         (("--to", "0 mm, 0 mm", "--missed", "100%"), "--missed: got '100'"),
         (("--to", "0 mm, 0 mm", "--dark", "2:1 s"), "--dark: got"),

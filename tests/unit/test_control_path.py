@@ -91,7 +91,7 @@ def straight_menu(speeds: np.ndarray) -> Menu:
     rates[:, :, 0] = speeds
     response = Response(rates, np.full((len(speeds), 3), 0.02), np.full((len(speeds), 3), 2e-4),
                         np.zeros(len(speeds), dtype=bool), field)  # fmt: skip
-    return Menu(cheese, drive, (drive.base,) * len(speeds), response, 0.05)
+    return Menu(cheese, drive, (drive.base,) * len(speeds), np.zeros((len(speeds), len(drive))), response, 0.05)
 
 
 def test_pulses_keep_to_the_path_and_skip_nothing():
