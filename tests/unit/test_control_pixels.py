@@ -7,10 +7,11 @@ import pytest
 
 from plategait.control.camera import PIXELS
 from plategait.control.goal import Goal
-from plategait.control.menu import Menu, drive_of, on_a_plate
+from plategait.control.menu import Menu, drive_of
 from plategait.control.pixels import SNAPSHOTS, STARTUP, PixelCamera
 from plategait.control.plant import Plant
 from plategait.control.response import resting
+from plategait.control.room import on_a_plate
 from plategait.control.steer import steer
 from plategait.errors import InputError
 from plategait.model.machine import machine_of

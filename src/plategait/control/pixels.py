@@ -20,9 +20,9 @@ from plategait.vision.frames import Frame, frame_of
 from plategait.vision.pose_reader import PoseReader, learnt
 from plategait.vision.setup import Setup
 
-EXPOSURE = 3e-3
-"""For which the shutter is open, s, or a quarter of the frame interval where that is less: bright light. With 8 ms a
-plate that rocks blurs the markers of three frames in ten."""
+EXPOSURE = 1.5e-3
+"""For which the shutter is open, s, or a quarter of the frame interval where that is less: bright light, as over
+machines. With 8 ms a plate that rocks blurs the markers of three frames in ten."""
 SNAPSHOTS = 1 / 600
 """Time between the recorded shapes that exposures are made of, s."""
 SIZE = (480, 360)

@@ -1,0 +1,116 @@
+"""A feeder's work on a plate: sheets spun until their class is told, and sent off the plate to one of four sides."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from plategait.arrays import Array
+from plategait.control.camera import Seen
+from plategait.control.menu import Menu, displaced
+from plategait.control.plant import Plant
+from plategait.control.response import LONGEST
+from plategait.control.sorter import Sorter, Verdict
+from plategait.control.spinning import PAUSE, SPUN, Spins
+
+SIDES = ("+x", "-x", "+y", "-y")
+"""Sides of the plate: along the bar, against it, and across it."""
+_OUTWARD = np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
+# What a way aside counts beside one outwards, and what is unsure of it.
+_ASIDE, _UNSURE = 0.4, 0.5
+
+
+def spin(plant: Plant, sorter: Sorter, sure: float | None = None) -> tuple[list[Verdict], Array]:
+    """Spin sheets that rest under one motion after the other, and judge each.
+
+    Parameters
+    ----------
+    plant : Plant
+    sorter : Sorter
+    sure : float, optional
+        Probability of a class from which a sheet is spun no more; it is spun under all motions by default.
+
+    Returns
+    -------
+    list of Verdict
+        Of each sheet.
+    (n,) array
+        For how long each was spun, s, until it rested.
+    """
+    n, motions = len(plant), sorter.plate_motions
+    spins, times, spun = Spins.none(n, len(motions)), np.zeros(n), ~plant.failed
+    verdicts = [sorter.judge(*(x[i] for x in (spins.rates, spins.sd, spins.places))) for i in range(n)]
+    for c, motion in enumerate(motions):
+        spins.read(c, plant, motion, spun)
+        times[spun] += SPUN
+        for i in np.flatnonzero(spun):
+            verdicts[i] = sorter.judge(spins.rates[i], spins.sd[i], spins.places[i])
+            spun[i] = not plant.failed[i] and (sure is None or verdicts[i].kind(sure) is None)
+        if not spun.any():
+            break
+    for _ in range(PAUSE):
+        plant.step(motions[0].replace(angle=0.0, stroke=0.0))
+    return verdicts, times + PAUSE * plant.tick
+
+
+def send_off(
+    plant: Plant, sides: Sequence[int | None], menu: Menu, timeout: float = 15.0
+) -> tuple[list[int | None], Array]:
+    """Send sheets that rest off their plates, by pulses that carry them outwards.
+
+    Parameters
+    ----------
+    plant : Plant
+    sides : sequence of int or None
+        Which of `SIDES` each is to leave by; None for one that is left alone.
+    menu : Menu
+    timeout : float
+        Time after which those that are still there are given up, s.
+
+    Returns
+    -------
+    list of int or None
+        Sides by which they left.
+    (n,) array
+        Times that it took, s.
+    """
+    n, still = len(plant), menu.motions[0]
+    half = np.array([_half(plant, i) for i in range(n)])
+    left: list[int | None] = [None] * n
+    on = np.array([side is not None for side in sides])
+    times, seen = np.zeros(n), plant.seen
+    while on.any() and times.max() < timeout:
+        pulses = [_outward(menu, seen.poses[i, :2], int(sides[i] or 0)) if on[i] else 0 for i in range(n)]
+        for tick in range(LONGEST + PAUSE):
+            seen = plant.step([menu.motions[k] if tick < LONGEST else still for k in pulses])
+            times[on] += plant.tick
+            share = plant.poses[:, :2] @ _OUTWARD.T / np.repeat(half, 2, axis=1)
+            for i in np.flatnonzero(on & (share.max(axis=1) > 1)):
+                left[i], on[i] = int(share[i].argmax()), False
+    return left, times
+
+
+def _half(plant: Plant, i: int) -> tuple[float, float]:
+    plate = plant.session.scenarios[i].plate
+    return (plate.length / 2, plate.width / 2) if plate else (math.inf, math.inf)
+
+
+def _outward(menu: Menu, place: Array, side: int) -> int:
+    """Motion that carries a sheet from a place farthest outwards, aside as little as can be."""
+    moved = displaced(menu.response, np.clip(place, -menu.reach, menu.reach))[:, :2]
+    out, aside = moved @ _OUTWARD[side], np.abs(moved @ _OUTWARD[side][::-1])
+    unsure = np.linalg.norm(menu.response.spread[:, :2], axis=1)
+    return int((out - _ASIDE * aside - _UNSURE * unsure).argmax())
+
+
+def from_now(plant: Plant) -> Callable[[Plant], Seen]:
+    """What a plant's cameras tell, with times counted from now, for a controller that takes over: `steer(look=…)`."""
+    begun = plant.time
+
+    def look(plant: Plant) -> Seen:
+        return replace(plant.seen, taken=plant.seen.taken - begun)
+
+    return look
