@@ -14,7 +14,7 @@ from plategait.cli.identify.friction import friction
 from plategait.cli.identify.modes import ring
 from plategait.errors import InputError
 from plategait.identify.friction.figures import plot_tilt
-from plategait.identify.friction.recording import TiltRecording, read_tilt
+from plategait.identify.friction.recording import TiltRecording, _smoothed, read_tilt
 from plategait.identify.friction.result import identify_friction
 from plategait.identify.friction.synthetic import tilt_recording, write_tilt
 from plategait.identify.modes.figures import plot_ring
@@ -38,6 +38,24 @@ def notes_of(*columns):
 
 def rung(time, signal, **options):
     return identify_ring(RingRecording("ring", "deflection", time, signal), CHEESE, **options)
+
+
+# Smoothing
+
+
+def test_the_smoothed_angle_is_scipy_s_spline_and_a_line_stays_one():
+    from scipy.interpolate import make_smoothing_spline
+
+    draw = np.random.default_rng(1)
+    time = np.sort(draw.uniform(0, 4, 200))
+    angle = 0.7 * np.tanh(time) + 2e-3 * draw.standard_normal(200)
+    for penalty in (1e-6, 1e-3, 1.0):
+        expected = make_smoothing_spline(time, angle, lam=penalty)(time)
+        np.testing.assert_allclose(_smoothed(time, angle, penalty), expected, atol=1e-9)
+    # Twenty thousand rows smoothed with all that is asked for, of which scipy's loses a radian by rounding.
+    time = np.linspace(0, 80, 20_000)
+    line = 0.3 + 0.02 * time
+    np.testing.assert_allclose(_smoothed(time, line, 250 * 20**4), line, atol=1e-6)
 
 
 # Reading
