@@ -30,7 +30,7 @@ from plategait.model.scenario import Scenario
 # Young's moduli of a class differ by this factor to either side.
 WITHIN_A_CLASS = 1.03
 # Where a sheet is turned to the mark before it leaves by each side, m: along the bar none moves on the bar.
-MARKS = (Goal(0.02, 0.02, 0.0), Goal(-0.02, 0.02, 0.0), Goal(0.0, 0.02, 0.0), Goal(0.0, -0.02, 0.0))
+MARKS = (Goal(0.02, 0.02, 0.0), Goal(-0.02, 0.02, 0.0), Goal(0.0, 0.035, 0.0), Goal(0.0, -0.035, 0.0))
 MARK_WITHIN = (8e-3, math.radians(15))
 CANNOT_TELL = len(SIDES) - 1
 # Time in which a sheet is laid down and comes to rest, s.

@@ -12,15 +12,18 @@ from plategait.arrays import Array
 from plategait.control.camera import Seen
 from plategait.control.menu import Menu, displaced
 from plategait.control.plant import Plant
-from plategait.control.response import LONGEST
 from plategait.control.sorter import Sorter, Verdict
 from plategait.control.spinning import PAUSE, SPUN, Spins
 
 SIDES = ("+x", "-x", "+y", "-y")
 """Sides of the plate: along the bar, against it, and across it."""
 _OUTWARD = np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
-# What a way aside counts beside one outwards, and what is unsure of it.
-_ASIDE, _UNSURE = 0.4, 0.5
+# What being aside of the middle of the side counts beside a way outwards, and what is unsure of it.
+_ASIDE, _UNSURE = 0.5, 0.5
+# Of the farthest way outwards, what is gone at least: who minds the middle alone gets nowhere.
+_LEAST_OUT = 0.5
+# Ticks of a pulse that carries a sheet outwards: beyond where responses were measured it is looked at again soon.
+_PULSE = 20
 
 
 def spin(plant: Plant, sorter: Sorter, sure: float | None = None) -> tuple[list[Verdict], Array]:
@@ -84,8 +87,8 @@ def send_off(
     times, seen = np.zeros(n), plant.seen
     while on.any() and times.max() < timeout:
         pulses = [_outward(menu, seen.poses[i, :2], int(sides[i] or 0)) if on[i] else 0 for i in range(n)]
-        for tick in range(LONGEST + PAUSE):
-            seen = plant.step([menu.motions[k] if tick < LONGEST else still for k in pulses])
+        for tick in range(_PULSE + PAUSE):
+            seen = plant.step([menu.motions[k] if tick < _PULSE else still for k in pulses])
             times[on] += plant.tick
             share = plant.poses[:, :2] @ _OUTWARD.T / np.repeat(half, 2, axis=1)
             for i in np.flatnonzero(on & (share.max(axis=1) > 1)):
@@ -99,11 +102,13 @@ def _half(plant: Plant, i: int) -> tuple[float, float]:
 
 
 def _outward(menu: Menu, place: Array, side: int) -> int:
-    """Motion that carries a sheet from a place farthest outwards, aside as little as can be."""
-    moved = displaced(menu.response, np.clip(place, -menu.reach, menu.reach))[:, :2]
-    out, aside = moved @ _OUTWARD[side], np.abs(moved @ _OUTWARD[side][::-1])
-    unsure = np.linalg.norm(menu.response.spread[:, :2], axis=1)
-    return int((out - _ASIDE * aside - _UNSURE * unsure).argmax())
+    """Motion that carries a sheet from a place outwards, and leaves it abreast of the middle of that side."""
+    moved = displaced(menu.response, place, _PULSE)[1:, :2]
+    out = moved @ _OUTWARD[side]
+    aside = np.abs((place + moved) @ np.abs(_OUTWARD[side][::-1]))
+    unsure = np.linalg.norm(menu.response.spread[1:, :2], axis=1)
+    merit = out - _ASIDE * aside - _UNSURE * unsure
+    return int(np.where(out >= _LEAST_OUT * out.max(), merit, -np.inf).argmax()) + 1
 
 
 def from_now(plant: Plant) -> Callable[[Plant], Seen]:
