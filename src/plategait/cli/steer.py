@@ -120,7 +120,6 @@ def steer(
     from plategait.control.follow import follow
     from plategait.control.goal import check_goals, check_reach
     from plategait.control.path import check_path
-    from plategait.control.pixels import SNAPSHOTS, PixelCamera
     from plategait.control.plant import Plant
     from plategait.control.report import camera_told, following_told, place_told, steering_told
     from plategait.control.room import on_a_plate
@@ -137,9 +136,8 @@ def steer(
         check_reach(goals, menu)
     except InputError as error:
         raise aims.spelt(error) from None
-    plant = Plant([true], machine=machine, camera=camera, seeds=[steered.seed],
-                  snapshot_interval=SNAPSHOTS if seen.through_pixels else 0.0)  # fmt: skip
-    look = PixelCamera(plant, seed=steered.seed) if seen.through_pixels else None
+    plant = Plant([true], machine=machine, camera=camera, seeds=[steered.seed], snapshot_interval=seen.snapshots())
+    look = seen.look(plant, steered.seed)
     with report.progress_bar("steering") as progress:
         if path is not None:
             done = follow(plant, path, menu, within=within[0], timeout=timeout, look=look, progress=progress)

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from plategait.control.camera import Camera
     from plategait.control.goal import Goal
     from plategait.control.path import Path as AlongPath
+    from plategait.control.pixels import PixelCamera
+    from plategait.control.plant import Plant
     from plategait.model.scenario import Scenario
 
 _HOLD = Quantity("s", "s", "2 s", at_least=0, at_most=3600)
@@ -219,6 +221,22 @@ class CameraOptions:
     dark: Annotated[
         list[str] | None, typer.Option("--dark", help='Times between which it sees nothing: "1:1.5 s". Repeatable.')
     ] = None
+
+    def snapshots(self) -> float:
+        """Time between the shapes that pictures are made of, s; 0 where none are taken."""
+        if not self.through_pixels:
+            return 0.0
+        from plategait.control.pixels import SNAPSHOTS
+
+        return SNAPSHOTS
+
+    def look(self, plant: Plant, seed: int) -> PixelCamera | None:
+        """What reads the plant's pictures, if any are taken."""
+        if not self.through_pixels:
+            return None
+        from plategait.control.pixels import PixelCamera
+
+        return PixelCamera(plant, seed=seed)
 
     def camera(self) -> Camera:
         """Camera in SI: of one through pixels what the controller knows of it."""
