@@ -91,12 +91,12 @@ def test_a_sheet_leaves_by_the_side_that_it_is_sent_to():
     shaken = still.replace(frequency=40.0, waves=(Wave(axis="x", amplitude=2.9e-3),), **{"offset.rx": -0.2})
     response = resting(2)
     response.rates[1, 1, 0] = 0.2
-    menu = Menu(CHEESE, drive, (still, shaken), response, 0.05)
+    menu = Menu(CHEESE, drive, (still, shaken), np.zeros((2, len(drive))), response, 0.05)
     plant = Plant([CHEESE, CHEESE], camera=PERFECT)
     for _ in range(10):
         plant.step(still)
     # A controller takes over where sheets were handled before: its time begins anew.
-    alone = Menu(CHEESE, drive, (still,), resting(), 0.05)
+    alone = Menu(CHEESE, drive, (still,), np.zeros((1, len(drive))), resting(), 0.05)
     ways = steer(plant, [[Goal(0.0, 0.0)]] * 2, alone, hold=0.1, look=from_now(plant))
     assert all(way.reached for way in ways)
     left, times = send_off(plant, [SIDES.index("+y"), None], menu)
