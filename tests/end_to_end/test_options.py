@@ -95,7 +95,7 @@ STEER = typed(
     machine="shaker.toml", to="0 mm, 5 mm", _from="0 mm, 1 mm", hold="1 s", within="2 mm", timeout="20 s",
     plate_size="300 mm", _with="measured.toml", through_pixels="", camera_rate="30 Hz", camera_noise="1 mm, 1 deg",
     camera_delay="10 ms", missed="10%", dark="1:2 s", method="one-pulse", generations="2", menu="menu.json", seed="3",
-    out="o.csv", plot="p.png", json="",
+    out="o.csv", plot="p.png", film="f.mp4", trajectory="t.csv", json="",
 )  # fmt: skip
 
 MODES = [
@@ -121,7 +121,8 @@ MODES = [
     Mode(("optimize", "--with", "measured.toml"), typed(draws="4"), ()),
     Mode(("moves",), MOVES, ("--beside",)),
     Mode(("moves", "--plot", "q.png"), typed(beside="six.json"), ()),
-    Mode(("steer", "--to", "0 mm, 0 mm"), STEER, ("--goals", "--height")),
+    Mode(("steer", "--to", "0 mm, 0 mm"), STEER, ("--goals", "--height", "--rate")),
+    Mode(("steer", "--to", "0 mm, 0 mm", "--trajectory", "u.csv"), typed(rate="2 kHz", trajectory="t.mcap"), ()),
     Mode(("steer", "--goals", "goals.csv"), typed(goals="other.csv"), ("--to",)),
     Mode(("steer", "--path", "figure of eight"),
          but(STEER, "--to", "--hold", "--method") | typed(path="L", height="30 mm"), ("--goals", "--hold", "--method")),
@@ -366,6 +367,7 @@ def answers(files) -> dict[str, object]:
         "plategait.control.goal.check_reach": None,
         "plategait.control.pixels.PixelCamera": None,
         "plategait.control.plant.Plant": None,
+        "plategait.control.film.film_steering": None,
         "plategait.control.steer.steer": [way],
         "plategait.control.follow.follow": followed,
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),

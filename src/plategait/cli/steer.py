@@ -12,15 +12,13 @@ import typer
 from plategait.cli import options, report
 from plategait.cli.groups import grouped
 from plategait.cli.needs import MachineName
+from plategait.cli.steer_files import SteeringFiles
 from plategait.cli.steer_options import AimOptions, CameraOptions, ObjectOptions
 from plategait.errors import InputError
-from plategait.files.output import PICTURES, check_outputs, check_writable
+from plategait.files.output import check_writable
 
 if TYPE_CHECKING:
-    from plategait.control.follow import Following
-    from plategait.control.goal import Goal
     from plategait.control.menu import Menu
-    from plategait.control.steer import Steering
     from plategait.model.scenario import Scenario
 
 
@@ -63,35 +61,6 @@ class ControlOptions:
         return replace(menu, motions=tuple(motion.replace(height=height) for motion in menu.motions))
 
 
-@dataclass(frozen=True)
-class SteeringFiles:
-    """Files that a steering is written to, as typed."""
-
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", help="Write where the object was, was seen and was to go, tick by tick: .csv."),
-    ] = None
-    plot: options.Plot = None
-
-    def check_names(self) -> None:
-        """Refuse names that cannot be written to, before anything is read."""
-        check_outputs((self.out, (".csv",), "--out"), (self.plot, PICTURES, "--plot"))
-
-    def write(self, done: Steering | Following, goals: list[Goal], true: Scenario, within: tuple[float, float]) -> None:
-        """Write them all."""
-        from plategait.control.figures import plot_following, plot_steering
-        from plategait.control.report import write_way
-        from plategait.control.steer import Steering
-        from plategait.plots.style import save
-
-        if self.out:
-            write_way(done if isinstance(done, Steering) else done.way, self.out, "--out")
-        if self.plot and isinstance(done, Steering):
-            save(plot_steering(done, goals, true, within, true.name), self.plot)
-        elif self.plot and not isinstance(done, Steering):
-            save(plot_following(done, true, true.name), self.plot)
-
-
 @grouped
 def steer(
     context: typer.Context,
@@ -109,7 +78,7 @@ def steer(
 
     Exit status 1 where a goal, or the end of the path, was not reached.
     """
-    files.check_names()
+    files.check_names(context)
     if steered.menu is not None and not steered.menu.is_file():
         check_writable(steered.menu, (".json",), "--menu")
     steered.check()
@@ -137,18 +106,21 @@ def steer(
     except InputError as error:
         raise aims.spelt(error) from None
     plant = Plant([true], machine=machine, camera=camera, seeds=[steered.seed], snapshot_interval=seen.snapshots())
-    look = seen.look(plant, steered.seed)
+    look, shots = seen.look(plant, steered.seed), files.shots()
     with report.progress_bar("steering") as progress:
         if path is not None:
-            done = follow(plant, path, menu, within=within[0], timeout=timeout, look=look, progress=progress)
+            done = follow(plant, path, menu, within=within[0], timeout=timeout, each_tick=shots, look=look,
+                          progress=progress)  # fmt: skip
             told = following_told(done, within[0]) | {"within": {"mm": 1e3 * within[0]}}
         else:
             (done,) = steered_by(plant, [goals], menu, method=steered.method, hold=hold, within=within,  # type: ignore[arg-type]
-                                 timeout=timeout or TIMEOUT, look=look, progress=progress)  # fmt: skip
+                                 timeout=timeout or TIMEOUT, each_tick=shots, look=look, progress=progress)  # fmt: skip
             told = steering_told(done, goals) | {
                 "hold_s": hold, "within": {"mm": 1e3 * within[0], "deg": math.degrees(within[1])}, "timeout_s": timeout
             }  # fmt: skip
     files.write(done, goals, true, within)
+    files.write_film(shots, done, true)
+    files.write_trajectory(done, true, machine)
     numbers = place_told(true) | told | {
         "machine": machine, "method": steered.method, "motions": len(menu), "seed": steered.seed,
         "camera": camera_told(camera), "through_pixels": seen.through_pixels,

@@ -99,7 +99,7 @@ def trajectory(
     """
     hertz, shaker = FREQUENCY.read(rate, "rate"), machine_of(machine)
     _check_limits(motion, shaker)
-    _check_rate(motion, hertz)
+    check_rate(motion, hertz)
     if cycle:
         periods, count = _closed(motion, hertz)
         # Whole periods are shared out evenly: a rate that is off by less than can be typed opens no gap.
@@ -108,7 +108,7 @@ def trajectory(
     else:
         course, end = _from_rest_to_rest(motion, shaker, _DURATION.read(duration, "duration"))
         count = math.ceil(end * hertz * (1 - _SAME)) + 1
-        _check_count(count, hertz, "duration", f'"{0.5 * MOST_SAMPLES / hertz:.3g} s"')
+        check_count(count, hertz, "duration", f'"{0.5 * MOST_SAMPLES / hertz:.3g} s"')
         time = np.arange(float(count)) / hertz
     moves = kinematics(course, time)
     position, speed, acceleration = moves.position, moves.speed, moves.acceleration
@@ -140,7 +140,7 @@ def _closed(motion: PlateMotion, rate: float) -> tuple[float, int]:
         near = max(1, round(exact)) / period
         raise InputError("rate", f"{rate:.9g} Hz", f"a whole number of samples in some periods of {1 / period:.9g} Hz "
                          f"that take {LONGEST_CYCLE:g} s at most", f'"{near:.12g} Hz"')  # fmt: skip
-    _check_count(samples.numerator, rate, "rate", f'"{max(1, round(1000 * period)) / period:.12g} Hz"')
+    check_count(samples.numerator, rate, "rate", f'"{max(1, round(1000 * period)) / period:.12g} Hz"')
     return samples.denominator * period, samples.numerator
 
 
@@ -169,7 +169,8 @@ def _common_divisor(one: Fraction, other: Fraction) -> Fraction:
                     one.denominator * other.denominator)  # fmt: skip
 
 
-def _check_rate(motion: PlateMotion, rate: float) -> None:
+def check_rate(motion: PlateMotion, rate: float) -> None:
+    """Refuse a rate, Hz, that is too low for a motion."""
     fastest = 1 / motion.shortest_period if motion.terms() else 0.0
     least = LEAST_SAMPLES * fastest
     if motion.samples is not None:
@@ -180,7 +181,8 @@ def _check_rate(motion: PlateMotion, rate: float) -> None:
                          f'"{1.25 * least:.3g} Hz"')  # fmt: skip
 
 
-def _check_count(count: int, rate: float, field: str, hint: str) -> None:
+def check_count(count: int, rate: float, field: str, hint: str) -> None:
+    """Refuse more samples than anyone reads."""
     if count > MOST_SAMPLES:
         raise InputError(
             field, f"{count} samples at {rate:.9g} Hz", f"such that there are at most {MOST_SAMPLES}", hint

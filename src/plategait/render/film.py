@@ -81,7 +81,7 @@ def film(
     end = snapshots.end(simulation.observations[run].failure, until, fall=FALL_TIME)
     frames = max(1, round(min(seconds, (end - snapshots.time[0]) * slower) * fps))
     times = end - np.arange(frames)[::-1] / (fps * slower)
-    with _film_file(path, size, fps) as add:
+    with film_file(path, size, fps) as add:
         for done, picture in enumerate(_captioned(scenario, snapshots, times, size, slower), start=1):
             add(picture)
             if progress is not None:
@@ -109,7 +109,7 @@ def _captioned(
 
 
 @contextmanager
-def _film_file(path: Path | str, size: tuple[int, int], fps: float) -> Iterator[Callable[[Image], None]]:
+def film_file(path: Path | str, size: tuple[int, int], fps: float) -> Iterator[Callable[[Image], None]]:
     """Open an MP4 file, which appears when it is complete; gives what adds a picture to it."""
     with whole_file(path, (".mp4",)) as unfinished:
         import av

@@ -27,7 +27,8 @@ SLAB, BAR = 0.045, 0.03
 
 _SKY, _FLOOR, _SHADOW = (250, 251, 252), (216, 223, 230), (36, 46, 62)
 _PLATE, _GRID, _AXIS, _METAL = (203, 212, 221), (186, 196, 207), (112, 126, 143), (165, 172, 181)
-_MARK = (196, 78, 82)
+MARK = (196, 78, 82)
+"""Colour of what is marked on the plate."""
 _AMBIENT, _DIFFUSE, _SHINE = 0.50, 0.56, 0.18
 
 
@@ -61,8 +62,11 @@ class Painter:
         """(4, 3) corners of the plate at a height in its own frame, counter-clockwise from above."""
         return np.column_stack([np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * self.half, np.full(4, z)])
 
-    def picture(self, nodes: Array, pose: Array, marked: Sequence[Array] = ()) -> Image:
-        """One frame, with lines (n, 2), m, marked on the plate."""
+    def picture(
+        self, nodes: Array, pose: Array, marked: Sequence[Array] = (),
+        over: Sequence[tuple[Array, tuple[int, int, int]]] = (),
+    ) -> Image:  # fmt: skip
+        """One frame, with lines (n, 2), m, marked on the plate, and others in colours that the sheet does not hide."""
         from PIL import Image, ImageDraw
 
         rotation, origin = rotation_of(pose), self._origin(pose)
@@ -77,20 +81,28 @@ class Painter:
             draw.polygon(polygons[k], colours[k])
         self._draw_plate(draw, rotation, origin)
         for line in marked:
-            points = np.column_stack([line, np.zeros(len(line))]) @ rotation.T + origin
-            draw.line(self.camera.project(points).ravel().tolist(), _MARK, round(2.5 * FINER))
+            self._draw_line(draw, line, MARK, rotation, origin)
         picture = canvas.reduce(FINER)
         self._cast_shadow(picture, (low[self.sheet_mesh.used] - origin) @ rotation, rotation, origin)
         layer = Image.new("RGBA", canvas.size)
         draw = ImageDraw.Draw(layer)
         for k in np.nonzero(~hidden)[0]:
             draw.polygon(polygons[k], colours[k])
+        for line, colour in over:
+            self._draw_line(draw, line, colour, rotation, origin)
         box = layer.getbbox()
         if box:
             left, top = box[0] // FINER, box[1] // FINER
             smooth = layer.crop((left * FINER, top * FINER, box[2], box[3])).reduce(FINER)
             picture.paste(smooth, (left, top), smooth)
         return picture
+
+    def _draw_line(
+        self, draw: ImageDraw, line: Array, colour: tuple[int, int, int], rotation: Array, origin: Array
+    ) -> None:
+        """Draw a line (n, 2), m, on the plate."""
+        points = np.column_stack([line, np.zeros(len(line))]) @ rotation.T + origin
+        draw.line(self.camera.project(points).ravel().tolist(), colour, round(2.5 * FINER))
 
     def _visible(self, groups: list[Faces]) -> tuple[list[list[float]], list[tuple[int, int, int]], Array]:
         """Polygons in pixels and their colours, the furthest first, and the middle of each in the world."""
