@@ -21,6 +21,8 @@ TAIL = 15
 """Ticks after which an object rests on a plate that stands."""
 _LAGS = (0.02, 0.05, 0.1, 0.2, 0.4, 0.8)
 _WATCHED = 0.05  # s
+# Ticks, all but one, that a pulse may begin late: a period of the slowest plates.
+_WAITS = 12
 # Share of its area that a sheet shows from above while it is far from folding: half of it counts as folded.
 _FLAT = 0.75
 
@@ -85,15 +87,18 @@ def pulses(
                 which.append(i)
                 lasting.append(ticked)
     asked, until = np.array(which, dtype=np.int64), np.array(lasting, dtype=np.int64)
+    # Sines count from the start of a run, so that a pulse that begins later begins at another phase.
+    begun = generator.integers(_WAITS, size=len(placed))
     session = Session(placed, engine=engine, threads=threads, keep=_WATCHED)
     session.advance(None, _WATCHED)
     poses, now, sound = [session.poses], np.zeros(len(placed), dtype=np.int64), flat(session)
-    for k in range(max(ticks) + TAIL + DELAY):
-        wanted = np.where(k < until, asked, 0)
+    count = max(ticks) + TAIL + DELAY
+    for k in range(count + _WAITS - 1):
+        wanted = np.where((k >= begun) & (k < begun + until), asked, 0)
         session.advance([motions[w] if w != n else None for w, n in zip(wanted, now, strict=True)], TICK)
         poses.append(session.poses)
         now, sound = wanted, sound & flat(session)
-    tracks = np.array(poses).transpose(1, 0, 2)
+    tracks = np.array(poses)[np.arange(count + 1) + begun[:, None], np.arange(len(placed))[:, None]]
     tracks[..., 2] = np.unwrap(tracks[..., 2], axis=1)
     return PulseRuns(tracks, asked, until, sound, np.min([room_of(scenario) for scenario in scenarios], axis=0))
 

@@ -153,7 +153,7 @@ def menu_of(
     motions = (still, *drive.motions(chosen))
     last = pulses([placed], motions, (6, 12, LONGEST), 12, 100 * seed + 99, reach, engine=engine, threads=threads)
     told = fitted(last, len(motions), field)
-    sure = [0, *(i for i in range(1, len(motions)) if usable(told, 2.0)[i])]
+    sure = [0, *np.flatnonzero(usable(told, 2.0) & followed(told, reach)).tolist()]
     if len(sure) < 2:
         raise InputError("machine", drive.machine.name, "one whose motions the object follows", "a larger plate")
     report(1.0)
@@ -164,6 +164,14 @@ def menu_of(
 def usable(response: Response, times: float = 1.0) -> Flags:
     """(m,) motions that lose nothing, and that do what is expected, within so many times what is unsure at most."""
     return ~response.failed & (response.spread < times * _MOST_SPREAD).all(axis=1)
+
+
+def followed(response: Response, reach: float) -> Flags:
+    """(m,) motions that carry an object twice as far as what is unsure of it, in the mean over places across the bar."""
+    moved = np.stack([displaced(response, np.array([0.0, place * reach])) for place in _PLACES])
+    return np.sqrt(((moved / _SCALE) ** 2).sum(axis=2).mean(axis=0)) > 2 * np.linalg.norm(
+        response.spread / _SCALE, axis=1
+    )
 
 
 def joined(one: Response, other: Response) -> Response:
@@ -192,7 +200,7 @@ def _best(response: Response, reach: float) -> Sequence[int]:
         aside = np.sqrt(np.maximum(length[:, None] ** 2 - along**2, 0.0))
         # A shorter pulse goes less far, along and aside.
         share = np.minimum(most / np.maximum(along, most), 1.0)
-        goes = (allowed & (length > _LEAST))[:, None]
+        goes = (allowed & (length > np.maximum(unsure, _LEAST)))[:, None]
         merit = np.where(goes, share * (along - _ASIDE * aside) - _UNSURE * unsure[:, None], -np.inf)
         best.update(merit.argmax(axis=0)[merit.max(axis=0) > -np.inf].tolist())
     return sorted(best)

@@ -14,8 +14,7 @@ from plategait.control.reach import SCALE, Reach
 from plategait.control.response import wrapped
 
 # Points of the grid across the bar, along it, and of angles.
-_ACROSS, _ALONG, _ANGLES = 11, 21, 24
-_FAR = 0.1  # m
+_ACROSS, _ALONG, _ANGLES = 11, 15, 24
 # Where the goal is near, in steps of the grid.
 _NEAR = 1.5
 _SWEEPS, _ENOUGH = 20, 0.02
@@ -24,11 +23,9 @@ _MOST = 4.0
 
 
 class TimeToGo:
-    """Times that ways to a goal take, the best pulses one after the other: value iteration on a grid.
+    """Times that ways to a goal take, the best pulses one after the other: value iteration on a grid of poses.
 
-    What an object does depends on where it lies across the bar, and along it hardly within a way; so the grid holds the
-    place across, and how far the goal is along the bar and in angle. Near the goal, where the grid is too coarse, ways
-    count by mixtures of pulses (`Reach`).
+    Near the goal, where the grid is too coarse, ways count by mixtures of pulses (`Reach`).
 
     Parameters
     ----------
@@ -47,42 +44,44 @@ class TimeToGo:
     """
 
     def __init__(self, pulses: Pulses, costs: Array, goal: Array, reach: float) -> None:
-        self._goal, self._any = goal, bool(np.isnan(goal[2]))
-        angles = 1 if self._any else _ANGLES
-        self._first = np.array([-reach, -_FAR, 0.0])
-        self._steps = np.array([2 * reach / (_ACROSS - 1), 2 * _FAR / (_ALONG - 1), 2 * math.pi / angles])
-        self._last = np.array([_ACROSS - 1, _ALONG - 1, angles])
-        y, dx, angle = (first + step * np.arange(count) for first, step, count in
-                        zip(self._first, self._steps, (_ACROSS, _ALONG, angles), strict=True))  # fmt: skip
-        x = float(np.clip(goal[0], -reach, reach))
+        self._goal, self._any = np.nan_to_num(goal), bool(np.isnan(goal[2]))
+        counts = (_ACROSS, _ALONG, 1 if self._any else _ANGLES)
+        self._first = np.array([-reach, -reach, self._goal[2]])
+        self._last = np.array([_ACROSS - 1, _ALONG - 1, counts[2]])
+        self._steps = np.array([2 * reach, 2 * reach, 2 * math.pi]) / self._last
+        y, x, angle = (f + s * np.arange(n) for f, s, n in zip(self._first, self._steps, counts, strict=True))
         self._mixture = Reach(pulses.at(np.clip(goal[:2], -reach, reach))[pulses.short], costs[pulses.short])
-        poses = np.stack(np.meshgrid(y, dx, angle, indexing="ij"), axis=-1)
-        ways = self._ways(poses)
+        places = np.stack(np.meshgrid(y, x, angle, indexing="ij"), axis=-1)
+        ways = self._ways(places)
         times = self._mixture.time(ways)
         times = np.where(self._near(ways), times, _MOST * times)
-        ahead = [self._ahead(pulses, costs, np.array([x, place]), poses[i]) for i, place in enumerate(y)]
+        # Where nothing changes along the bar, all of a line along it has the same pulses.
+        along = any(i for i, _ in pulses.response.field.powers)
+        lines = [(slice(i, i + 1), slice(j, j + 1) if along else slice(None))
+                 for i in range(_ACROSS) for j in range(_ALONG if along else 1)]  # fmt: skip
+        ahead = [self._ahead(pulses, costs, places[line]) for line in lines]
         for _ in range(_SWEEPS):
             before = times.copy()
-            for i, (own, places) in enumerate(ahead):
-                self._grid = np.concatenate([times, times[:, :, :1]], axis=2)
-                times[i] = np.minimum(times[i], (own + self._told(places)).min(axis=0))
+            for line, (own, ends) in zip(lines, ahead, strict=True):
+                self._hold(times)
+                times[line] = np.minimum(times[line], (own + self._told(ends)).min(axis=0))
             if (before - times).max() < _ENOUGH:
                 break
-        self._grid = np.concatenate([times, times[:, :, :1]], axis=2)
+        self._hold(times)
 
     def of(self, poses: Array) -> Array:
         """(…,) time that the way from poses (…, 3) to the goal takes, s."""
-        places = np.stack([poses[..., 1], poses[..., 0] - self._goal[0], poses[..., 2] - self._turned], axis=-1)
+        places = poses[..., (1, 0, 2)]
         ways = self._ways(places)
         return np.where(self._near(ways), self._mixture.time(ways), self._told(places))
 
-    @property
-    def _turned(self) -> float:
-        return 0.0 if self._any else float(self._goal[2])
+    def _hold(self, times: Array) -> None:
+        """Take times as what is told from now on, the first angle once more after the last."""
+        self._grid = np.concatenate([times, times[:, :, :1]], axis=2)
 
     def _ways(self, places: Array) -> Array:
-        """(…, 3) ways to the goal from places (…, 3): y, and x and angle from the goal's."""
-        ways = wrapped(np.stack([-places[..., 1], self._goal[1] - places[..., 0], -places[..., 2]], axis=-1))
+        """(…, 3) ways to the goal from places (…, 3): y, x and angle."""
+        ways = wrapped(self._goal - places[..., (1, 0, 2)])
         if self._any:
             ways[..., 2] = 0.0
         return ways
@@ -97,8 +96,8 @@ class TimeToGo:
         at = np.clip(at, 0.0, self._last)
         return map_coordinates(self._grid, np.moveaxis(at, -1, 0), order=1, mode="nearest")
 
-    def _ahead(self, pulses: Pulses, costs: Array, place: Array, poses: Array) -> tuple[Array, Array]:
-        """Costs (m, 1, 1) of pulses worth making at a place, and where (m, …, 3) they bring an object from places."""
-        moved = pulses.at(place)[1:]
+    def _ahead(self, pulses: Pulses, costs: Array, places: Array) -> tuple[Array, Array]:
+        """Costs (m, 1, …) of pulses worth making along a line of places, and where (m, …, 3) they bring an object."""
+        moved = pulses.at(places[0, 0, 0, (1, 0)])[1:]
         worth = ConvexHull(moved / costs[1:, None] / SCALE).vertices
-        return costs[1:][worth][:, None, None], poses + moved[worth][:, None, None, (1, 0, 2)]
+        return costs[1:][worth][:, None, None, None], places + moved[worth][:, None, None, None, (1, 0, 2)]
