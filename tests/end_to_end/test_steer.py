@@ -17,7 +17,7 @@ QUICK = ("--generations", "0", "--menu", "menu.json", "--json")
 
 @pytest.fixture(scope="module")
 def kept(tmp_path_factory) -> Path:
-    """A menu from a third of the motions and runs that are usual."""
+    """A menu from two thirds of the motions that are usual, and no generations of them."""
     path = tmp_path_factory.mktemp("steer") / "menu.json"
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(menu, "_FIRST", 40)

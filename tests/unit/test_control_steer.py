@@ -90,7 +90,7 @@ def test_time_to_go_is_what_the_pulses_take():
                         np.zeros(7, dtype=bool), FIELD)  # fmt: skip
     pulses = Pulses(response)
     costs = pulses.times + 0.2
-    to_go = TimeToGo(pulses, costs, np.array([0.0, 0.0, 0.0]), 0.05)
+    to_go = TimeToGo(pulses, costs, np.array([0.0, 0.0, 0.0]), 0.08)
     poses = np.array([[0.06, 0.0, 0.0], [0.0, 0.04, 0.0], [0.0, 0.0, 2.0], [0.06, 0.04, 2.0]])
     times = to_go.of(poses)
     # At the best share of time in motion, 26 ticks of each 26 + 12: 0.68 of the speed, and near the goal, where short

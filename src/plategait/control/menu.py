@@ -167,7 +167,7 @@ def usable(response: Response, times: float = 1.0) -> Flags:
 
 
 def followed(response: Response, reach: float) -> Flags:
-    """(m,) motions that carry an object twice as far as what is unsure of it, in the mean over places across the bar."""
+    """(m,) motions that carry an object twice as far as what is unsure of it, in the mean over places."""
     moved = np.stack([displaced(response, np.array([0.0, place * reach])) for place in _PLACES])
     return np.sqrt(((moved / _SCALE) ** 2).sum(axis=2).mean(axis=0)) > 2 * np.linalg.norm(
         response.spread / _SCALE, axis=1
