@@ -20,7 +20,7 @@ def kept(tmp_path_factory) -> Path:
     """A menu from two thirds of the motions that are usual, and no generations of them."""
     path = tmp_path_factory.mktemp("steer") / "menu.json"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(menu, "_FIRST", 40)
+        patch.setattr(menu, "_FIRST", 128)
         menu_file.kept_menu(path, menu.on_a_plate("cheese"), generations=0)
     return path
 
