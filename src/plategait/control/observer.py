@@ -18,6 +18,8 @@ _CREEP = np.array([0.02e-3, 0.02e-3, math.radians(0.02)])
 # Squared distance of a frame from what was expected (χ² with three degrees of freedom) that hardly ever is exceeded,
 # and how many frames in a row that far mean that the object was moved by something else.
 _FAR, _MOVED = 25.0, 2
+# Ticks that a frame may be late: without one for as long the filter goes on by itself.
+_LONGEST = 30
 # Uncertainty of where an object is after it was moved, and of how fast it goes.
 _ANYWHERE, _ANY_SPEED = np.array([0.05, 0.05, 1.0]), np.array([0.3, 0.3, 10.0])
 
@@ -50,6 +52,8 @@ class Observer:
     def told(self, motion: int) -> None:
         """Note what the plate is told to do in the tick that begins."""
         self._held.append(motion)
+        if len(self._held) > _LONGEST:
+            self._go_on()
 
     def saw(self, pose: Array, taken: float) -> bool:
         """Take in a frame; whether the object was found to be elsewhere than it can have gone by itself.
