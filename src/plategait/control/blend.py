@@ -10,7 +10,7 @@ from plategait.arrays import Array
 from plategait.control.goal import WITHIN, WITHIN_ANGLE
 from plategait.control.menu import Menu
 from plategait.control.observer import Observer
-from plategait.control.pulse import Pulses
+from plategait.control.pulse import PAUSE, Pulses
 from plategait.control.response import stopped, wrapped
 from plategait.control.room import room_of
 from plategait.control.value import TimeToGo
@@ -22,8 +22,8 @@ BLIND = 0.15
 """Time without a frame after which a plate is stopped, s."""
 # An object is there within this share of the tolerances, and brought nearer than that where it is not.
 _THERE, _WELL = 0.85, 0.6
-# What each pulse counts beside its time, and not being there yet, s.
-_PULSE, _FURTHER = 0.2, 0.4
+# What not being there yet counts, s.
+_FURTHER = 0.4
 # Time that what is unsure will take, over the standard deviations: m and rad per s.
 _MENDING = 2 * np.array([0.03, 0.03, math.radians(80)])
 # What is kept from the edge beside so many standard deviations, m, and how much nearer counts as a second, m.
@@ -144,7 +144,7 @@ class BlendingController:
     def costs(self) -> Array:
         """(k,) what each pulse counts by itself, s."""
         pulses = self.pulses
-        return pulses.times + _PULSE + (pulses.spread / _MENDING).sum(axis=1)
+        return pulses.times + PAUSE + (pulses.spread / _MENDING).sum(axis=1)
 
     def plan(self, state: Array) -> tuple[int, Array]:
         """Pulse to make from a state (6,), and where it ends; the first, which is none, where the object is there."""

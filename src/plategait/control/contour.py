@@ -13,8 +13,7 @@ from plategait.control.blend import BlendingController
 from plategait.control.goal import WITHIN
 from plategait.control.menu import Menu
 from plategait.control.path import STEP, Path
-from plategait.control.pulse import Pulses
-from plategait.control.reach import PAUSE
+from plategait.control.pulse import PAUSE, Pulses
 from plategait.control.response import stopped
 from plategait.errors import InputError
 

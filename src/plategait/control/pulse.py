@@ -11,6 +11,8 @@ from plategait.control.response import LONGEST, TICK, Response
 
 TICKS = (3, 5, 8, 12, 18, 26)
 """Lengths of the pulses that are chosen from."""
+PAUSE = 0.2
+"""Time between two pulses that is counted, s."""
 SHORT = 8
 """Ticks of the pulses by which the rest of a way is counted."""
 # Places, in shares of the reach, at which pulses are followed, for what they do between.

@@ -8,8 +8,6 @@ from scipy.spatial import ConvexHull, QhullError
 from plategait.arrays import Array
 from plategait.errors import InputError
 
-PAUSE = 0.2
-"""Time between two pulses that is counted, s."""
 # Displacements that weigh the same, per second: so the hull is as round as can be.
 SCALE = np.array([0.03, 0.03, 1.0])
 
