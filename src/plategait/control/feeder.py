@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from plategait.arrays import Array
+from plategait.arrays import Array, Flags
 from plategait.control.camera import Seen
 from plategait.control.menu import Menu, displaced
 from plategait.control.plant import Plant
@@ -24,6 +24,8 @@ _ASIDE, _UNSURE = 0.5, 0.5
 _LEAST_OUT = 0.5
 # Ticks of a pulse that carries a sheet outwards: beyond where responses were measured it is looked at again soon.
 _PULSE = 20
+# How far from where it was told a pulse may carry a sheet, m, to be made again.
+_WRONG = 15e-3
 
 
 def spin(plant: Plant, sorter: Sorter, sure: float | None = None) -> tuple[list[Verdict], Array]:
@@ -85,14 +87,20 @@ def send_off(
     left: list[int | None] = [None] * n
     on = np.array([side is not None for side in sides])
     times, seen = np.zeros(n), plant.seen
+    # Near the edge a motion may do other than it was measured to: what went wrong once is not tried again.
+    right = np.ones((n, len(menu)), dtype=bool)
     while on.any() and times.max() < timeout:
-        pulses = [_outward(menu, seen.poses[i, :2], int(sides[i] or 0)) if on[i] else 0 for i in range(n)]
+        before = seen.poses[:, :2]
+        pulses = [_outward(menu, before[i], int(sides[i] or 0), right[i]) if on[i] else 0 for i in range(n)]
         for tick in range(_PULSE + PAUSE):
             seen = plant.step([menu.motions[k] if tick < _PULSE else still for k in pulses])
             times[on] += plant.tick
             share = plant.poses[:, :2] @ _OUTWARD.T / np.repeat(half, 2, axis=1)
             for i in np.flatnonzero(on & (share.max(axis=1) > 1)):
                 left[i], on[i] = int(share[i].argmax()), False
+        for i, pulse in enumerate(pulses):
+            told = displaced(menu.response, before[i], _PULSE)[pulse, :2]
+            right[i, pulse] &= bool(np.linalg.norm(seen.poses[i, :2] - before[i] - told) < _WRONG)
     return left, times
 
 
@@ -101,10 +109,10 @@ def _half(plant: Plant, i: int) -> tuple[float, float]:
     return (plate.length / 2, plate.width / 2) if plate else (math.inf, math.inf)
 
 
-def _outward(menu: Menu, place: Array, side: int) -> int:
+def _outward(menu: Menu, place: Array, side: int, allowed: Flags) -> int:
     """Motion that carries a sheet from a place outwards, and leaves it abreast of the middle of that side."""
     moved = displaced(menu.response, place, _PULSE)[1:, :2]
-    out = moved @ _OUTWARD[side]
+    out = np.where(allowed[1:], moved @ _OUTWARD[side], 0.0)
     aside = np.abs((place + moved) @ np.abs(_OUTWARD[side][::-1]))
     unsure = np.linalg.norm(menu.response.spread[1:, :2], axis=1)
     merit = out - _ASIDE * aside - _UNSURE * unsure
