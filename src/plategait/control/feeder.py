@@ -91,7 +91,8 @@ def send_off(
     right = np.ones((n, len(menu)), dtype=bool)
     while on.any() and times.max() < timeout:
         before = seen.poses[:, :2]
-        pulses = [_outward(menu, before[i], int(sides[i] or 0), right[i]) if on[i] else 0 for i in range(n)]
+        moved = np.array([displaced(menu.response, place, _PULSE)[:, :2] for place in before])
+        pulses = [_outward(menu, before[i], moved[i], int(sides[i] or 0), right[i]) if on[i] else 0 for i in range(n)]
         for tick in range(_PULSE + PAUSE):
             seen = plant.step([menu.motions[k] if tick < _PULSE else still for k in pulses])
             times[on] += plant.tick
@@ -99,8 +100,7 @@ def send_off(
             for i in np.flatnonzero(on & (share.max(axis=1) > 1)):
                 left[i], on[i] = int(share[i].argmax()), False
         for i, pulse in enumerate(pulses):
-            told = displaced(menu.response, before[i], _PULSE)[pulse, :2]
-            right[i, pulse] &= bool(np.linalg.norm(seen.poses[i, :2] - before[i] - told) < _WRONG)
+            right[i, pulse] &= bool(np.linalg.norm(seen.poses[i, :2] - before[i] - moved[i, pulse]) < _WRONG)
     return left, times
 
 
@@ -109,9 +109,9 @@ def _half(plant: Plant, i: int) -> tuple[float, float]:
     return (plate.length / 2, plate.width / 2) if plate else (math.inf, math.inf)
 
 
-def _outward(menu: Menu, place: Array, side: int, allowed: Flags) -> int:
-    """Motion that carries a sheet from a place outwards, and leaves it abreast of the middle of that side."""
-    moved = displaced(menu.response, place, _PULSE)[1:, :2]
+def _outward(menu: Menu, place: Array, moved: Array, side: int, allowed: Flags) -> int:
+    """Motion, of those that move a sheet (m, 2) from a place, that leaves it outwards, abreast of a side's middle."""
+    moved = moved[1:]
     out = np.where(allowed[1:], moved @ _OUTWARD[side], 0.0)
     aside = np.abs((place + moved) @ np.abs(_OUTWARD[side][::-1]))
     unsure = np.linalg.norm(menu.response.spread[1:, :2], axis=1)
