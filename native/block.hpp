@@ -13,6 +13,15 @@
 
 namespace plategait {
 
+/// There is no memory for a block: an exception, or a trap where there are none (a browser's module).
+[[noreturn]] inline void no_memory() {
+#if defined(__cpp_exceptions)
+  throw std::bad_alloc();
+#else
+  __builtin_trap();
+#endif
+}
+
 /// Aligned scratch memory of one block.
 template <class R>
 struct Scratch {
@@ -20,7 +29,7 @@ struct Scratch {
   explicit Scratch(std::size_t n)
       : data(static_cast<R*>(
             std::aligned_alloc(alignof(R) < 64 ? 64 : alignof(R), (n * sizeof(R) + 127) / 128 * 128 + 128))) {
-    if (!data) throw std::bad_alloc();
+    if (!data) no_memory();
     std::memset(static_cast<void*>(data), 0, n * sizeof(R));
   }
   ~Scratch() { std::free(data); }

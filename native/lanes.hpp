@@ -126,6 +126,8 @@ PLATEGAIT_HD Lanes<float, W, Level> reciprocal_sqrt(Lanes<float, W, Level> a) {
   if constexpr (W == 8) y.v = (typename R::V)_mm256_rsqrt_ps((__m256)a.v);
 #elif defined(__SSE__)
   if constexpr (W == 4) y.v = (typename R::V)_mm_rsqrt_ps((__m128)a.v);
+#elif defined(__wasm_simd128__)
+  y.v = 1.0f / __builtin_elementwise_sqrt(a.v);  // no estimate there: rounded as it should be, and refined for nothing
 #else
   for (int q = 0; q < W; q++) y.v[q] = 1.0f / std::sqrt(a.v[q]);
 #endif
@@ -161,9 +163,13 @@ PLATEGAIT_HD Lanes<T, W, Level> fifth_root(Lanes<T, W, Level> a) {
 
 template <int W, class L>
 PLATEGAIT_HD Lanes<double, W, L> floor_of(Lanes<double, W, L> a) {
+#if defined(__wasm_simd128__)
+  return __builtin_elementwise_floor(a.v);
+#else
   Lanes<double, W, L> y;
   for (int q = 0; q < W; q++) y.v[q] = std::floor(a.v[q]);
   return y;
+#endif
 }
 template <class T, int W, class L>
 PLATEGAIT_HD Lanes<T, W, L> narrow_to(Lanes<double, W, L> a, Lanes<T, W, L>) {

@@ -12,6 +12,30 @@
 
 namespace plategait {
 
+/// A node beside the plate: where it is from the plate's origin, what moves it, the plate there, and what they do to
+/// each other.
+template <class R>
+struct Met {
+  Vec3<R> r;
+  Point<R> point;
+  Ground<R> ground;
+  Touch<R> touch;
+};
+
+template <class R>
+PLATEGAIT_HD Met<R> meet_node(const State<R>& s, const Topology& topology, const R* parameter,
+                              const Surface<R>& surface, const PlatePose<R>& plate, const PlatePose<R>& next, int k) {
+  const R zero = number<R>(0), one = number<R>(1), inverse_mass = one / parameter[NODE_MASS];
+  const Vec3<R> r = s.x.get(k) - plate.origin;
+  Vec3<R> pull = inverse_mass * s.f.get(k);
+  pull.z = pull.z - parameter[GRAVITY];
+  const Point<R> point = {s.v.get(k), pull, inverse_mass};
+  const Ground<R> ground = ground_at(plate, next, r);
+  R reach = zero - dot(r, plate.normal);
+  if (topology.features.plate_edge) reach = reach_of(recall(s, k), reach);
+  return {r, point, ground, touch_plate(surface, topology.features, point, ground, reach, one)};
+}
+
 template <class R>
 PLATEGAIT_HD void meet_plate(const State<R>& s, const Topology& topology, const R* parameter, const PlatePose<R>& plate,
                              const PlatePose<R>& next, Tally<R>& tally) {
@@ -23,14 +47,11 @@ PLATEGAIT_HD void meet_plate(const State<R>& s, const Topology& topology, const 
   if (held) meet_edge(s, topology, parameter, surface, plate, next, tally, left, right);
   Tally<R> work{};
   for (int k = 0; k < topology.n_nodes; k++) {
-    const Vec3<R> r = s.x.get(k) - plate.origin;
-    Vec3<R> pull = inverse_mass * s.f.get(k);
-    pull.z = pull.z - parameter[GRAVITY];
-    const Point<R> point = {s.v.get(k), pull, inverse_mass};
-    const Ground<R> ground = ground_at(plate, next, r);
-    R reach = zero - dot(r, plate.normal);
-    if (topology.features.plate_edge) reach = reach_of(recall(s, k), reach);
-    const Touch<R> touch = touch_plate(surface, topology.features, point, ground, reach, one);
+    const Met<R> met = meet_node(s, topology, parameter, surface, plate, next, k);
+    const Vec3<R> r = met.r, pull = met.point.acceleration;
+    const Point<R>& point = met.point;
+    const Ground<R>& ground = met.ground;
+    const Touch<R>& touch = met.touch;
     const Vec3<R> from_plate = touch.normal * plate.normal - touch.drag;
     const R mobility = number<R>(topology.mobility[k]);
     const Vec3<R> v_new = point.velocity + (mobility * dt) * (pull + inverse_mass * from_plate);
