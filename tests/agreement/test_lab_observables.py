@@ -5,13 +5,11 @@ from __future__ import annotations
 import base64
 import json
 import math
-import shutil
-import subprocess
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from lab_scripts import NODE, asked
 
 import plategait as pg
 from plategait.engine.recording import Recording
@@ -19,21 +17,9 @@ from plategait.simulation.ensemble import Ensemble
 from plategait.simulation.observation import Observation, ensemble_of, observe, values_of
 from plategait.simulation.registry import BUILT_IN
 
-NODE = shutil.which("node")
-LAB = Path(__file__).parents[2] / "lab"
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is not installed: the lab's measures are not compared")
 
 CHEESE = pg.preset("cheese").scenario.replace(duration=0.4, transient=0.1)
-
-
-def asked(script: str, question: dict[str, Any]) -> dict[str, Any]:
-    """What a script of the lab answers; its words for numbers that JSON cannot hold are left as they are."""
-    assert NODE is not None
-    done = subprocess.run(
-        [NODE, str(LAB / "tests" / "agreement" / script)], input=json.dumps(question), capture_output=True, text=True,
-        check=True,
-    )  # fmt: skip
-    return json.loads(done.stdout)
 
 
 def scenarios() -> list[pg.Scenario]:
