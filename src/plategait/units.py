@@ -20,9 +20,7 @@ from plategait.errors import InputError
 
 _DEG = math.pi / 180
 
-# Factor to SI and SI unit of the units that the source and its users write most. Anything else goes to pint, whose
-# import takes a quarter of the second in which a first result is due.
-_COMMON: dict[str, tuple[float, str]] = {
+COMMON_UNITS: dict[str, tuple[float, str]] = {
     "m": (1.0, "m"), "mm": (1e-3, "m"), "cm": (1e-2, "m"), "um": (1e-6, "m"),
     "s": (1.0, "s"), "ms": (1e-3, "s"),
     "kg": (1.0, "kg"), "g": (1e-3, "kg"), "mg": (1e-6, "kg"),
@@ -46,9 +44,13 @@ _COMMON: dict[str, tuple[float, str]] = {
     "N*m*s/rad": (1.0, "N*m*s/rad"), "N*mm/(deg/s)": (1e-3 / _DEG, "N*m*s/rad"),
     "N*mm*s/deg": (1e-3 / _DEG, "N*m*s/rad"),
 }  # fmt: skip
+"""Factor to SI and SI unit of the units that the source and its users write most.
+
+Anything else goes to pint, whose import takes a quarter of the second in which a first result is due.
+"""
 # The same in small letters, for "24 hz" and "3 MM"; not where two units differ by nothing else (mHz, MHz).
-_SMALL = [unit.lower() for unit in _COMMON]
-_IN_ANY_CASE = {unit.lower(): unit for unit in _COMMON if _SMALL.count(unit.lower()) == 1}
+_SMALL = [unit.lower() for unit in COMMON_UNITS]
+_IN_ANY_CASE = {unit.lower(): unit for unit in COMMON_UNITS if _SMALL.count(unit.lower()) == 1}
 
 _NUMBER = re.compile(r"([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)\s*(.*)", re.IGNORECASE)
 # Names with whole powers, multiplied and divided: pint would take any expression, "12,5 mm" for 12 times 5 mm.
@@ -78,8 +80,8 @@ def _factor(unit: str, target: str) -> float:
     text, turns = re.sub(r"\s*([*/])\s*", r"\1", text), 1.0
     if target == "rad/s" and (times_pi := re.match(r"(?:pi|π)[* ]\s*", text)):
         text, turns = text[times_pi.end() :], math.pi
-    if text in _COMMON:
-        factor, si = _COMMON[text]
+    if text in COMMON_UNITS:
+        factor, si = COMMON_UNITS[text]
         if (si, target) == ("Hz", "rad/s"):
             return 2 * math.pi * factor * turns
         if si != target:

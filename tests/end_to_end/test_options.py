@@ -98,6 +98,10 @@ STEER = typed(
     out="o.csv", plot="p.png", film="f.mp4", trajectory="t.csv", json="",
 )  # fmt: skip
 
+LAB = OBJECT | typed(
+    frequency="20 Hz", sheet="pancake", friction_law="adams", duration="2 s", dt="5e-5 s", out="o.html", no_open=""
+)  # fmt: skip
+
 MODES = [
     Mode(("simulate", *SHORT), RUN | typed(frequency="20 Hz", out="o.nc", filmstrip="s.png"), ("--seed", "--draws")),
     Mode(("simulate", "--duration", "0.02 s"), typed(film="f.mp4"), ()),
@@ -115,6 +119,10 @@ MODES = [
          typed(out="n.xml", form="shell", dt="5e-5 s", frequency="20 Hz", angle="2 deg", stroke="2 mm", json="")),
     Mode(("export", "--out", "m.mcap", "--frequency", "12 Hz"), MOVED | typed(out="n.mcap", joints="a,b", topic="/to")),
     Mode(("modes",), typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
+    Mode(("lab",), LAB),
+    Mode(("lab", "measured.toml"), but(LAB, "--stroke", "--with") | typed(scenario="pancake"), ()),
+    Mode(("lab", "poses.csv"), LAB | typed(scenario="pancake"), ()),
+    Mode(("lab", "done.zarr"), typed(out="o.html", no_open="")),
     Mode(("needs",), typed(machine="shaker.toml", frequency="20 Hz", angle="5 deg", stroke="2 mm", json="")),
     Mode(("optimize",), OPTIMIZE, ("--least", "--draws")),
     Mode(("optimize", "--spin", "2 rad/s"), typed(least="power", along="0 mm/s"), ()),
@@ -273,6 +281,7 @@ def files(tmp_path_factory) -> Path:
     (folder / "six.json").write_text('{"machine": "six", "cells": [{"velocity_mm_s": [1, 2], "turn_deg_s": 3}]}')
     (folder / "goals.csv").write_text("x_mm,y_mm\n0,0\n5,0\n")
     (folder / "other.csv").write_text("x_mm,y_mm,angle_deg\n1,0,90\n0,9,\n")
+    (folder / "poses.csv").write_text("time_s,x_mm,y_mm,angle_deg\n0,1,0,90\n1,0,9,\n")
     (folder / "clips").mkdir()
     film_cantilever(examples.K_B, examples.C_B, folder / "strip.mp4")
     return folder
@@ -355,6 +364,8 @@ def answers(files) -> dict[str, object]:
         "plategait.estimate.prediction.predict": None,
         "plategait.estimate.figures.plot_estimate": Figure(),
         "plategait.export.bag.check_bag": None,
+        "plategait.lab.page.page": "<!doctype html>",
+        "plategait.lab.opening.open_page": True,
         "plategait.export.bag.write_bag": None,
         "plategait.campaign.figures.plot_campaign": Figure(),
         "plategait.campaign.run.sweep": open_sweep(files / "done.zarr"),

@@ -70,9 +70,9 @@ def test_every_quantity_of_the_module_is_found():
     assert len(QUANTITIES) >= 20
 
 
-@pytest.mark.parametrize("unit", units._COMMON)
+@pytest.mark.parametrize("unit", units.COMMON_UNITS)
 def test_a_common_unit_is_what_pint_says(unit):
-    factor, si = units._COMMON[unit]
+    factor, si = units.COMMON_UNITS[unit]
     expected = REGISTRY.parse_expression(pint_text(unit)).to(pint_text(si)).magnitude
     assert factor == pytest.approx(expected, rel=1e-14)  # a few products of floats apart
     assert parse(f"3 {unit}", si) == pytest.approx(3 * expected, rel=1e-14)

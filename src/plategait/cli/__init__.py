@@ -15,6 +15,7 @@ from plategait.cli.estimate import estimate
 from plategait.cli.estimate_all import estimate_all
 from plategait.cli.export import export
 from plategait.cli.identify.commands import identify
+from plategait.cli.lab import lab
 from plategait.cli.modes import modes
 from plategait.cli.moves import moves
 from plategait.cli.needs import needs_command
@@ -57,6 +58,7 @@ app.command(cls=Command)(curve)
 app.command(cls=Command)(fit)
 app.command(cls=Command)(export)
 app.command(cls=Command)(modes)
+app.command(cls=Command)(lab)
 app.command(name="needs", cls=Command)(needs_command)
 app.command(cls=Command)(optimize)
 app.command(cls=Command)(moves)
