@@ -47,7 +47,7 @@ test("a swing is no slip, a way is", () => {
   const failure = firstFailure(channels, PERIOD, 0.01);
   assert.equal(failure.kind, "slipped");
   assert.ok(Math.abs(failure.time - 0.5) < 0.01);
-  const off = firstFailure(channels, PERIOD, 0.01, { length: 0.06, width: 0.1 });
+  const off = firstFailure(channels, PERIOD, 0.01, [0.06, 0.1]);
   assert.equal(off.kind, "left the plate");
   assert.equal(off.first_sign, failure.time);
 });

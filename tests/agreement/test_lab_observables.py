@@ -122,6 +122,8 @@ def assert_same_run(ours: Observation, theirs: dict[str, Any], run: str) -> None
     for name, value in theirs["values"].items():
         assert_like(value, ours[name], f"{run}: {name}")
     assert theirs["energy"].pop("closes") == ours.energy.closes, run
+    elastic = [float(theirs["energy"].pop(name)) for name in ("axial", "bending", "torsion")]
+    assert_like(sum(elastic), ours.energy.elastic, f"{run}: elastic")
     for ledger_name, value in theirs["energy"].items():
         own = "".join(f"_{c.lower()}" if c.isupper() else c for c in ledger_name)
         assert_like(value, getattr(ours.energy, own), f"{run}: {own}")

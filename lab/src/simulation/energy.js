@@ -18,10 +18,6 @@ export const leastEnergy = (weight, size) => weight * LEAST_LIFT * size;
  */
 export const energyLedger = (channels, least = 0) => {
   const [contactEnergy, gravity] = [channels.contact_energy, channels.gravity_energy];
-  const elastic = (i) =>
-    channels.axial_energy[i] - channels.axial_energy[0] +
-    (channels.bending_energy[i] - channels.bending_energy[0]) +
-    (channels.torsion_energy[i] - channels.torsion_energy[0]);
   const sums = { work: 0, contactWork: 0, joint: 0, friction: 0, exchanged: 0 };
   let [largestGap, lowest, at] = [-Infinity, Infinity, null];
   for (let i = 0; i < channels.time.length; i++) {
@@ -33,9 +29,12 @@ export const energyLedger = (channels, least = 0) => {
     at = {
       kinetic: channels.kinetic_energy[i] - channels.kinetic_energy[0],
       gravity: gravity[i] - gravity[0],
-      elastic: elastic(i),
+      axial: channels.axial_energy[i] - channels.axial_energy[0],
+      bending: channels.bending_energy[i] - channels.bending_energy[0],
+      torsion: channels.torsion_energy[i] - channels.torsion_energy[0],
       contactStored: contactEnergy[i] - contactEnergy[0],
     };
+    at.elastic = at.axial + at.bending + at.torsion;
     const stored = at.kinetic + at.gravity + at.elastic + at.contactStored;
     const contactLoss = sums.contactWork - at.contactStored;
     const lost = sums.joint + contactLoss + sums.friction;

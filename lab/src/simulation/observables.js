@@ -158,9 +158,9 @@ const finiteSamples = (channels) => {
  * is told by where it ended, with the slip as the first sign.
  *
  * @param channels `time`, `centre_x`, `centre_y` and, where known, `centre_z` and `area_x/y/z`
- * @param plate {length, width} in m, or null for a plate that never ends
+ * @param plateSize [length, width] in m, or null for a plate that never ends
  */
-export const firstFailure = (channels, period, slipLimit, plate = null, diverged = false) => {
+export const firstFailure = (channels, period, slipLimit, plateSize = null, diverged = false) => {
   const { time } = channels;
   const last = finiteSamples(channels);
   const failures = [];
@@ -170,7 +170,7 @@ export const firstFailure = (channels, period, slipLimit, plate = null, diverged
     const slipped = slip(t, x, y, period);
     sign("slipped", slipped.findIndex((way, i) => way > slipLimit && isAveraged(t, i, last - 1, period)));
   }
-  const state = stateOf(channels, plate);
+  const state = stateOf(channels, plateSize);
   const first = (holds) => {
     for (let i = 0; i < last; i++) if (holds(i)) return i;
     return -1;
@@ -186,7 +186,7 @@ export const firstFailure = (channels, period, slipLimit, plate = null, diverged
 };
 
 /** What a sheet is like at a sample: folded, turned over, beyond the plate's edge, hanging below it. */
-const stateOf = (channels, plate) => {
+const stateOf = (channels, plateSize) => {
   const { centre_x: x, centre_y: y, centre_z: z, area_x: ax, area_y: ay, area_z: az } = channels;
   const never = () => false;
   const told = az && az[0] > 0;
@@ -194,8 +194,8 @@ const stateOf = (channels, plate) => {
   return {
     folded: told ? (i) => size(i) < FOLDED_AREA : never,
     over: told ? (i) => size(i) >= FOLDED_AREA && az[i] < 0 : never,
-    beyond: plate ? (i) => Math.abs(x[i]) > plate.length / 2 || Math.abs(y[i]) > plate.width / 2 : never,
-    hanging: plate && z ? (i) => z[i] < -HANGING_DEPTH : never,
+    beyond: plateSize ? (i) => Math.abs(x[i]) > plateSize[0] / 2 || Math.abs(y[i]) > plateSize[1] / 2 : never,
+    hanging: plateSize && z ? (i) => z[i] < -HANGING_DEPTH : never,
   };
 };
 

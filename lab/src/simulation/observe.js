@@ -39,7 +39,8 @@ export const observe = (scenario, recording, size = 0) => {
   const { channels } = recording;
   const period = platePeriod(scenario.motion);
   const from = measuredSince(scenario);
-  const failure = firstFailure(channels, period, scenario.slip_limit, scenario.plate ?? null, recording.diverged);
+  const plateSize = scenario.plate ? [scenario.plate.length, scenario.plate.width] : null;
+  const failure = firstFailure(channels, period, scenario.slip_limit, plateSize, recording.diverged);
   const energy = energyLedger(channels, leastEnergy(scenario.sheet.mass * scenario.gravity, size));
   const end = soundUntil(channels.time, failure);
   const angle = rotation(channels.spin_cross, channels.spin_dot);
