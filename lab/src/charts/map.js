@@ -1,0 +1,227 @@
+// A map over two parameters: values by an even scale of colours, letters for gaits, hatching where a point failed.
+import { colours, inkOn, scaleColour } from "./colours.js";
+import { MARKS } from "./marks.js";
+import { axis, element, leftAxis, plotIn, read } from "./plot.js";
+
+/** Ends of the cells of an axis: half-way between its values. */
+export const edgesOf = (values) => {
+  if (values.length === 1) return [values[0] - 0.5, values[0] + 0.5];
+  const middles = values.slice(1).map((value, i) => (value + values[i]) / 2);
+  return [2 * values[0] - middles[0], ...middles, 2 * values.at(-1) - middles.at(-1)];
+};
+
+/**
+ * @param {HTMLElement} el
+ * @param {{onPick?: (cell: {i: number, j: number}) => void}} given called with a cell that was clicked, or Enter on it
+ * @returns {{update(data: object), resize(), destroy()}} data: x and y {label, values} in people's units, `cells` a map of
+ *   "i,j" to {value, gait, failed, failure, refused} with values in people's units, `label` and `unit` of the values,
+ *   `step(i, j)` the coarse cell that stands in for one that is not computed yet, or null
+ */
+export const heatMap = (el, { onPick } = {}) => {
+  el.classList.add("chart-parts");
+  const legend = legendOf(el);
+  const below = el.appendChild(element("div", "chart-below"));
+  const readout = el.appendChild(element("p", "chart-readout"));
+  readout.setAttribute("aria-live", "polite");
+  let data = { x: { label: "", values: [0, 1] }, y: { label: "", values: [0, 1] }, cells: new Map(), label: "", unit: "" };
+  let chosen = null;
+  // Cells are drawn by their number, so that they are of one size whatever the spacing of the values.
+  const chart = plotIn(below, {
+    scales: { x: { time: false, range: () => [0, data.x.values.length] }, y: { range: () => [0, data.y.values.length] } },
+    series: [{}, { show: false }],
+    axes: [
+      axis("", { ...ticksOf(() => data.x.values, 60), label: " ", grid: { show: false } }),
+      leftAxis(" ", { ...ticksOf(() => data.y.values, 28), grid: { show: false } }),
+    ],
+    hooks: { draw: [(u) => drawCells(u, data, chosen)], drawAxes: [(u) => relabel(u, data)] },
+  }, [[0, 1], [null, null]]);
+  const choose = (cell) => {
+    chosen = cell;
+    readout.textContent = cell ? cellInWords(data, cell) : "";
+    chart.plot?.redraw(false);
+  };
+  if (onPick) pickable(below, chart, () => data, () => chosen, choose, onPick);
+  return {
+    update(next) {
+      data = next;
+      const [nx, ny] = [data.x.values.length, data.y.values.length];
+      if (chosen && (chosen.i >= nx || chosen.j >= ny)) choose(null);
+      legend.update(data);
+      chart.update([[0, 1], [null, null]]);
+      const done = [...data.cells.values()];
+      const [low, high] = extent(data);
+      const failed = done.filter((cell) => cell.failed).length;
+      chart.describe(`Map of ${data.label} over ${data.x.label} and ${data.y.label}: ${done.length} of ${nx * ny} cells, ` +
+        `from ${read(low)} to ${read(high)} ${data.unit}, ${failed} failed`);
+    },
+    resize: chart.resize,
+    destroy() {
+      chart.destroy();
+      legend.remove();
+      below.remove();
+      readout.remove();
+    },
+  };
+};
+
+/** Least and largest of the values that there are. */
+const extent = ({ cells, range }) => {
+  if (range) return range;
+  const values = [...cells.values()].filter((cell) => !cell.failed).map(({ value }) => value).filter(Number.isFinite);
+  return values.length ? [Math.min(...values), Math.max(...values)] : [NaN, NaN];
+};
+
+const shareOf = (value, [low, high]) => (high > low ? (value - low) / (high - low) : 0.5);
+
+/** Marks of an axis in the middle of cells, no nearer than `space` pixels. */
+const ticksOf = (valuesOf, space) => ({
+  splits: (u, index) => {
+    const n = valuesOf().length;
+    const pixels = (index === 0 ? u.bbox.width : u.bbox.height) / (devicePixelRatio || 1);
+    const every = Math.max(1, Math.ceil((n * space) / Math.max(pixels, 1)));
+    return Array.from({ length: Math.ceil(n / every) }, (_, k) => k * every + 0.5);
+  },
+  values: (_, splits) => splits.map((at) => read(valuesOf()[Math.floor(at)] ?? NaN)),
+});
+
+/** The axes' titles, which change with the data. */
+const relabel = (u, data) => {
+  if (u.axes[0].label === data.x.label && u.axes[1].label === data.y.label) return;
+  u.axes[0].label = data.x.label;
+  u.axes[1].label = data.y.label;
+  queueMicrotask(() => u.redraw(false, true));
+};
+
+const drawCells = (u, data, chosen) => {
+  const { ctx } = u;
+  const scale = devicePixelRatio || 1;
+  const [nx, ny] = [data.x.values.length, data.y.values.length];
+  const [w, h] = [u.bbox.width / nx, u.bbox.height / ny];
+  const ends = extent(data);
+  const letters = Math.min(w, h) > 13 * scale;
+  ctx.save();
+  ctx.font = `${11 * scale}px system-ui, sans-serif`;
+  ctx.textAlign = "center";
+  ctx.textBaseline = "middle";
+  for (let i = 0; i < nx; i++) {
+    for (let j = 0; j < ny; j++) {
+      const own = data.cells.get(`${i},${j}`);
+      const cell = own ?? data.step?.(i, j);
+      if (!cell) continue;
+      const box = [u.bbox.left + i * w, u.bbox.top + (ny - 1 - j) * h, Math.ceil(w), Math.ceil(h)];
+      ctx.globalAlpha = own ? 1 : 0.45;
+      drawCell(ctx, box, cell, ends, letters && own, scale);
+      ctx.globalAlpha = 1;
+    }
+  }
+  if (chosen) {
+    ctx.strokeStyle = colours.accent;
+    ctx.lineWidth = 2.5 * scale;
+    ctx.strokeRect(u.bbox.left + chosen.i * w, u.bbox.top + (ny - 1 - chosen.j) * h, w, h);
+  }
+  ctx.restore();
+};
+
+const drawCell = (ctx, [x, y, w, h], cell, ends, letters, scale) => {
+  const share = shareOf(cell.value, ends);
+  const known = Number.isFinite(cell.value) && !cell.failed;
+  ctx.fillStyle = known ? scaleColour(share) : colours.panel;
+  ctx.fillRect(x, y, w, h);
+  if (cell.failed || cell.refused) hatch(ctx, x, y, w, h, cell.refused ? colours.muted : colours.failed, scale);
+  if (letters && known && cell.gait) {
+    ctx.fillStyle = inkOn(share);
+    ctx.fillText(MARKS[cell.gait].letter, x + w / 2, y + h / 2);
+  }
+};
+
+const hatch = (ctx, x, y, w, h, colour, scale) => {
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(x, y, w, h);
+  ctx.clip();
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = scale;
+  ctx.beginPath();
+  // Lines of one pattern over all cells.
+  const gap = 6 * scale;
+  for (let c = Math.floor((x + y) / gap) * gap; c < x + y + w + h; c += gap) {
+    ctx.moveTo(c - y, y);
+    ctx.lineTo(c - y - h, y + h);
+  }
+  ctx.stroke();
+  ctx.restore();
+};
+
+/** What a cell shows, in words. */
+const cellInWords = (data, { i, j }) => {
+  const cell = data.cells.get(`${i},${j}`);
+  const place = `${data.x.label} ${read(data.x.values[i], 4)}, ${data.y.label} ${read(data.y.values[j], 4)}`;
+  if (!cell) return `${place}: not computed yet`;
+  if (cell.refused) return `${place}: ${cell.refused}`;
+  const value = Number.isFinite(cell.value) && data.label !== "gait" ? `${data.label} ${read(cell.value)} ${data.unit}`.trim() : "";
+  return `${place}: ${[value, cell.gait, cell.failure].filter(Boolean).join(", ") || "nothing to measure"}`;
+};
+
+/** Cells chosen by pointer and arrows, picked by a click or Enter. */
+const pickable = (below, chart, dataOf, chosen, choose, onPick) => {
+  below.tabIndex = 0;
+  below.setAttribute("role", "application");
+  below.setAttribute("aria-label", "Cells of the map: arrows choose one, Enter watches it");
+  const cellAt = (event) => {
+    if (!chart.plot) return null;
+    const box = chart.plot.over.getBoundingClientRect();
+    const { x, y } = dataOf();
+    const i = Math.floor(((event.clientX - box.left) / box.width) * x.values.length);
+    const j = y.values.length - 1 - Math.floor(((event.clientY - box.top) / box.height) * y.values.length);
+    return i >= 0 && j >= 0 && i < x.values.length && j < y.values.length ? { i, j } : null;
+  };
+  below.addEventListener("pointermove", (event) => {
+    const cell = cellAt(event);
+    if (cell && (cell.i !== chosen()?.i || cell.j !== chosen()?.j)) choose(cell);
+  });
+  below.addEventListener("click", (event) => {
+    const cell = cellAt(event);
+    if (!cell) return;
+    choose(cell);
+    onPick(cell);
+  });
+  below.addEventListener("keydown", (event) => {
+    const by = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const { x, y } = dataOf();
+    const now = chosen() ?? { i: 0, j: 0 };
+    const inside = (value, count) => Math.min(Math.max(value, 0), count - 1);
+    if (by) choose({ i: inside(now.i + by[0], x.values.length), j: inside(now.j + by[1], y.values.length) });
+    else if ((event.key === "Enter" || event.key === " ") && chosen()) onPick(chosen());
+    else return;
+    event.preventDefault();
+  });
+};
+
+/** The scale of colours with its ends, and what letters and hatching mean. */
+const legendOf = (el) => {
+  const list = el.appendChild(element("p", "chart-legend"));
+  const [low, high] = [element("span"), element("span")];
+  const ramp = document.createElement("canvas");
+  ramp.className = "ramp";
+  ramp.width = 64;
+  ramp.height = 1;
+  ramp.setAttribute("aria-hidden", "true");
+  const ctx = ramp.getContext("2d");
+  for (let x = 0; x < ramp.width; x++) {
+    ctx.fillStyle = scaleColour(x / (ramp.width - 1));
+    ctx.fillRect(x, 0, 1, 1);
+  }
+  const values = element("span", "ramp-with-ends");
+  values.append(low, ramp, high);
+  const what = element("span");
+  const letters = element("span", "muted", "s sliding · w walking · r running · hatched: failed");
+  list.append(what, values, letters);
+  return {
+    update(data) {
+      const ends = extent(data);
+      what.textContent = data.label + (data.unit ? ` (${data.unit})` : "");
+      [low.textContent, high.textContent] = data.ends ?? ends.map((end) => read(end));
+    },
+    remove: () => list.remove(),
+  };
+};
