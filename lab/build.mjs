@@ -32,7 +32,7 @@ await build({ ...common, entryPoints: [join(here, "src", "engine", "worker.js")]
 await build({ ...common, plugins: [fromThePage], entryPoints: [join(here, "src", "main.js")], outfile: join(out, "page.js") });
 await copyFile(join(here, "src", "page.html"), join(out, "page.html"));
 const uplot = await readFile(join(here, "node_modules", "uplot", "dist", "uPlot.min.css"), "utf8");
-const sheets = await Promise.all(["page.css"].map((name) => readFile(join(here, "src", name), "utf8")));
+const sheets = await Promise.all(["page.css", "charts/charts.css", "science/science.css"].map((name) => readFile(join(here, "src", name), "utf8")));
 await writeFile(join(out, "page.css"), [uplot, ...sheets].join("\n"));
 const licences = ["three", "uplot", "smol-toml"].map(async (name) => {
   const { version } = JSON.parse(await readFile(join(here, "node_modules", name, "package.json"), "utf8"));

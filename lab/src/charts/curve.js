@@ -7,6 +7,7 @@ import { axis, element, leftAxis, plotIn, read, roomy } from "./plot.js";
 const DEGREE = Math.PI / 180;
 const LINE = 240; // points of a fitted line
 const RADIUS = 5;
+const FADED = 0.4; // what is beyond the run-off
 const OVERLAYS = ["running", "walking", "failed", "sliding"];
 
 /** What the Lorentz fit says, in words; the rates of `fit` are in rad/s. */
@@ -41,7 +42,7 @@ export const pointInWords = (point) => {
  * @param {{onPick?: (point: object) => void}} given called with a point that was clicked, or Enter on it
  * @returns {{update(data: {points: object[], fit?: object, from?: number, to?: number,
  *   overlays?: {name: string, points: {frequency, rate}[]}[]}), resize(), destroy()}} points as `together` gives them,
- *   with their frequency, Hz; `from` and `to` keep that range in view while points still come
+ *   with their frequency, Hz, and whether they are `fitted`; `from` and `to` keep that range in view while points still come
  */
 export const spinCurve = (el, { onPick } = {}) => {
   el.classList.add("chart-parts");
@@ -141,7 +142,7 @@ const drawCurve = (u, { points, overlays, fit, from }, chosen) => {
     }
   });
   if (fit && !fit.refused) {
-    const used = points.filter(({ rate }) => Number.isFinite(rate)).map(({ frequency }) => frequency);
+    const used = points.filter((point) => isUsed(point)).map(({ frequency }) => frequency);
     const [low, high] = [Math.min(...used, from ?? Infinity), Math.max(...used)];
     const at = Array.from({ length: LINE }, (_, i) => low + (i * (high - low)) / (LINE - 1));
     line(at.map((f) => [f, lorentzian(f, fit.peak, fit.f0, fit.halfWidth)]), colours.ink, [], 1.4);
@@ -149,6 +150,10 @@ const drawCurve = (u, { points, overlays, fit, from }, chosen) => {
   points.forEach((point, i) => drawPoint(u, point, x(point.frequency), y, scale, i === chosen));
   ctx.restore();
 };
+
+/** Whether the fit rests on a point. */
+const isUsed = (point) => Number.isFinite(point.rate) && !point.failed && point.fitted !== false;
+const isBeyond = (point) => Number.isFinite(point.rate) && !point.failed && point.fitted === false;
 
 const drawPoint = (u, point, x, y, scale, isChosen) => {
   const { ctx } = u;
@@ -170,7 +175,9 @@ const drawPoint = (u, point, x, y, scale, isChosen) => {
     ctx.stroke();
   }
   if (known && (!point.failed || point.partlyFailed)) {
+    ctx.globalAlpha = isBeyond(point) ? FADED : 1;
     drawMark(ctx, point.gait, x, y(point.rate), RADIUS * scale, point.partlyFailed);
+    ctx.globalAlpha = 1;
   }
   if (point.failed) drawMark(ctx, "failed", x, bottom, RADIUS * scale);
 };
@@ -217,11 +224,13 @@ const legendOf = (el) => {
         kind === "failed" ? points.some(({ failed }) => failed)
           : points.some((point) => point.gait === kind && Number.isFinite(point.rate)));
       const partly = points.some(({ partlyFailed }) => partlyFailed);
-      const key = JSON.stringify([kinds, partly, overlays.map(({ name }) => name), Boolean(fit && !fit.refused)]);
+      const beyond = points.some(isBeyond);
+      const key = JSON.stringify([kinds, partly, beyond, overlays.map(({ name }) => name), Boolean(fit && !fit.refused)]);
       if (key === shown) return;
       shown = key;
       const items = kinds.map((kind) => markInLegend(kind, kind || "gait unknown").item);
       if (partly) items.push(markInLegend("", "half-filled: some of the runs failed", true).item);
+      if (beyond) items.push(element("span", "", "faded: beyond the run-off, left out of the fit"));
       if (fit && !fit.refused) items.push(lineInLegend("ink", 0, "Lorentz fit"));
       overlays.forEach(({ name }, i) => items.push(lineInLegend(OVERLAYS[i % OVERLAYS.length], 2, name)));
       list.replaceChildren(...items);

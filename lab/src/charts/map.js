@@ -3,13 +3,6 @@ import { colours, inkOn, scaleColour } from "./colours.js";
 import { MARKS } from "./marks.js";
 import { axis, element, leftAxis, plotIn, read } from "./plot.js";
 
-/** Ends of the cells of an axis: half-way between its values. */
-export const edgesOf = (values) => {
-  if (values.length === 1) return [values[0] - 0.5, values[0] + 0.5];
-  const middles = values.slice(1).map((value, i) => (value + values[i]) / 2);
-  return [2 * values[0] - middles[0], ...middles, 2 * values.at(-1) - middles.at(-1)];
-};
-
 /**
  * @param {HTMLElement} el
  * @param {{onPick?: (cell: {i: number, j: number}) => void}} given called with a cell that was clicked, or Enter on it
@@ -30,10 +23,10 @@ export const heatMap = (el, { onPick } = {}) => {
     scales: { x: { time: false, range: () => [0, data.x.values.length] }, y: { range: () => [0, data.y.values.length] } },
     series: [{}, { show: false }],
     axes: [
-      axis("", { ...ticksOf(() => data.x.values, 60), label: " ", grid: { show: false } }),
-      leftAxis(" ", { ...ticksOf(() => data.y.values, 28), grid: { show: false } }),
+      axis(() => data.x.label, { ...ticksOf(() => data.x.values, 60), grid: { show: false } }),
+      leftAxis(() => data.y.label, { ...ticksOf(() => data.y.values, 28), grid: { show: false } }),
     ],
-    hooks: { draw: [(u) => drawCells(u, data, chosen)], drawAxes: [(u) => relabel(u, data)] },
+    hooks: { draw: [(u) => drawCells(u, data, chosen)] },
   }, [[0, 1], [null, null]]);
   const choose = (cell) => {
     chosen = cell;
@@ -83,14 +76,6 @@ const ticksOf = (valuesOf, space) => ({
   },
   values: (_, splits) => splits.map((at) => read(valuesOf()[Math.floor(at)] ?? NaN)),
 });
-
-/** The axes' titles, which change with the data. */
-const relabel = (u, data) => {
-  if (u.axes[0].label === data.x.label && u.axes[1].label === data.y.label) return;
-  u.axes[0].label = data.x.label;
-  u.axes[1].label = data.y.label;
-  queueMicrotask(() => u.redraw(false, true));
-};
 
 const drawCells = (u, data, chosen) => {
   const { ctx } = u;
