@@ -1,0 +1,120 @@
+// Where the picture is taken from: around a target, near or far, and the views that have names.
+import { PerspectiveCamera, Vector3 } from "three";
+
+const RAD = Math.PI / 180;
+const FIELD_OF_VIEW = 24; // degrees
+const LOWEST = -20 * RAD, HIGHEST = 89.9 * RAD, NEAREST = 0.25, FURTHEST = 6;
+/** Share of the picture's width and height that the plate may fill. */
+const FILLED = [0.9, 0.74];
+
+/** Views by name: from which side and how high; `riding` is with the plate, which then stands still in the picture. */
+export const VIEWS = {
+  default: { azimuth: -24 * RAD, elevation: 27 * RAD },
+  above: { azimuth: -90 * RAD, elevation: HIGHEST },
+  bar: { azimuth: 0, elevation: 5 * RAD },
+  plate: { azimuth: -24 * RAD, elevation: 27 * RAD, riding: true },
+};
+
+export class ViewCamera {
+  constructor() {
+    this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 10);
+    this.camera.up.set(0, 0, 1);
+    this.target = new Vector3();
+    this.half = [0.06, 0.06];
+    this.zoom = 1;
+    this.riding = false;
+    this.named = "default";
+    this.aspect = 1.5;
+    this.panned = false;
+    this.corner = new Vector3();
+    this.look("default");
+  }
+
+  /** Show a plate that reaches this far along x and y, m. */
+  frame(half) {
+    this.half = half;
+    this.look(this.named);
+  }
+
+  setAspect(aspect) {
+    this.aspect = Math.max(aspect, 0.05);
+    this.place();
+  }
+
+  /** @param {string} name of `VIEWS`; whether there is such a view */
+  look(name) {
+    const view = VIEWS[name];
+    if (!view) return false;
+    Object.assign(this, { azimuth: view.azimuth, elevation: view.elevation, riding: view.riding === true, named: name });
+    this.zoom = 1;
+    this.panned = false;
+    this.target.set(0, 0, 0);
+    this.place();
+    return true;
+  }
+
+  orbit(byAzimuth, byElevation) {
+    this.azimuth = (this.azimuth + byAzimuth) % (2 * Math.PI);
+    this.elevation = Math.min(HIGHEST, Math.max(LOWEST, this.elevation + byElevation));
+    this.place();
+  }
+
+  zoomBy(factor) {
+    this.zoom = Math.min(FURTHEST, Math.max(NEAREST, this.zoom * factor));
+    this.place();
+  }
+
+  /** Move what is looked at by shares of the picture's height: to the right and up. */
+  pan(right, up) {
+    const seen = this.seen(), { azimuth: a, elevation: e } = this;
+    this.panned = true;
+    this.target.x += seen * (-Math.sin(a) * right - Math.cos(a) * Math.sin(e) * up);
+    this.target.y += seen * (Math.cos(a) * right - Math.sin(a) * Math.sin(e) * up);
+    this.target.z += seen * Math.cos(e) * up;
+    this.place();
+  }
+
+  /** Keep a place in the picture, as long as nobody has moved it by hand; whether the picture moved. */
+  follow(x, y) {
+    if (this.panned) return false;
+    const room = 0.55 * Math.min(...this.half) * Math.max(this.zoom, 0.5);
+    const dx = x - this.target.x, dy = y - this.target.y, off = Math.hypot(dx, dy);
+    if (off <= room) return false;
+    this.target.x += (dx * (off - room)) / off;
+    this.target.y += (dy * (off - room)) / off;
+    this.place();
+    return true;
+  }
+
+  /** Height of the picture at the target, m. */
+  seen() {
+    return 2 * this.distance * Math.tan((FIELD_OF_VIEW * RAD) / 2);
+  }
+
+  place() {
+    const { camera } = this;
+    this.distance = this.zoom * this.fitting();
+    const flat = Math.cos(this.elevation);
+    camera.position.set(flat * Math.cos(this.azimuth), flat * Math.sin(this.azimuth), Math.sin(this.elevation));
+    camera.position.multiplyScalar(this.distance).add(this.target);
+    camera.near = this.distance / 20;
+    camera.far = this.distance * 12;
+    camera.aspect = this.aspect;
+    camera.updateProjectionMatrix();
+    camera.lookAt(this.target);
+    camera.updateMatrixWorld();
+  }
+
+  /** How far off all of the plate is in the picture, m. */
+  fitting() {
+    const tall = Math.tan((FIELD_OF_VIEW * RAD) / 2), { azimuth: a, elevation: e } = this;
+    let distance = 0;
+    for (let k = 0; k < 4; k++) {
+      const x = this.half[0] * (k & 1 ? 1 : -1), y = this.half[1] * (k & 2 ? 1 : -1);
+      const right = -Math.sin(a) * x + Math.cos(a) * y, inward = Math.cos(a) * x + Math.sin(a) * y;
+      const up = -Math.sin(e) * inward, near = Math.cos(e) * inward;
+      distance = Math.max(distance, near + Math.abs(right) / (tall * this.aspect * FILLED[0]), near + Math.abs(up) / (tall * FILLED[1]));
+    }
+    return Math.max(distance, 1e-3);
+  }
+}

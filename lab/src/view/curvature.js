@@ -1,0 +1,50 @@
+// How the sheet is bent at each node.
+import { latticeGrid } from "./surface.js";
+
+/** Mean curvature at the nodes, 1/m: positive where the sheet is a dome seen from its upper side. */
+export class Curvature {
+  constructor(sheet, lattice) {
+    const { squares, nNodes, rows } = latticeGrid(lattice);
+    const at = new Map();
+    for (let k = 0; k < nNodes; k++) at.set(squares[2 * k] * (rows + 2) + squares[2 * k + 1], k);
+    const neighbour = (k, di, dj) => at.get((squares[2 * k] + di) * (rows + 2) + squares[2 * k + 1] + dj) ?? -1;
+    this.pitch = sheet.pitch;
+    this.neighbours = new Int32Array(4 * nNodes);
+    for (let k = 0; k < nNodes; k++)
+      this.neighbours.set([neighbour(k, -1, 0), neighbour(k, 1, 0), neighbour(k, 0, -1), neighbour(k, 0, 1)], 4 * k);
+    this.values = new Float32Array(nNodes);
+    /** Largest of them without regard to sign. */
+    this.most = 0;
+  }
+
+  /** @param {Float32Array} nodes world, m @param {Float64Array} frame of the plate */
+  update(nodes, frame) {
+    const { neighbours, values } = this;
+    this.most = 0;
+    for (let k = 0; k < values.length; k++) {
+      const [a, b, c, d] = [neighbours[4 * k], neighbours[4 * k + 1], neighbours[4 * k + 2], neighbours[4 * k + 3]];
+      let nx = frame[2], ny = frame[5], nz = frame[8];
+      const along = a >= 0 && b >= 0, across = c >= 0 && d >= 0;
+      if (along && across) {
+        const ux = nodes[3 * b] - nodes[3 * a], uy = nodes[3 * b + 1] - nodes[3 * a + 1], uz = nodes[3 * b + 2] - nodes[3 * a + 2];
+        const vx = nodes[3 * d] - nodes[3 * c], vy = nodes[3 * d + 1] - nodes[3 * c + 1], vz = nodes[3 * d + 2] - nodes[3 * c + 2];
+        nx = uy * vz - uz * vy;
+        ny = uz * vx - ux * vz;
+        nz = ux * vy - uy * vx;
+        const length = Math.sqrt(nx * nx + ny * ny + nz * nz) || 1;
+        nx /= length;
+        ny /= length;
+        nz /= length;
+      }
+      let bent = 0;
+      if (along) bent += second(nodes, a, k, b, nx, ny, nz);
+      if (across) bent += second(nodes, c, k, d, nx, ny, nz);
+      values[k] = -bent / (2 * this.pitch * this.pitch);
+      this.most = Math.max(this.most, Math.abs(values[k]));
+    }
+  }
+}
+
+const second = (p, a, k, b, nx, ny, nz) =>
+  nx * (p[3 * a] - 2 * p[3 * k] + p[3 * b]) + ny * (p[3 * a + 1] - 2 * p[3 * k + 1] + p[3 * b + 1]) +
+  nz * (p[3 * a + 2] - 2 * p[3 * k + 2] + p[3 * b + 2]);

@@ -1,0 +1,161 @@
+// The picture in three dimensions, by WebGL.
+import { Group, Matrix4, Scene, Vector3, WebGLRenderer } from "three";
+import { Cloud, Contour } from "./goal.js";
+import { sharedUniforms } from "./light.js";
+import { Marks } from "./marks.js";
+import { Notes } from "./notes.js";
+import { PlateMesh } from "./plate.js";
+import { PushArrow } from "./push.js";
+import { Rulers } from "./ruler.js";
+import { Shadow } from "./shadow.js";
+import { SheetMesh } from "./sheet_mesh.js";
+import { Trail } from "./trail.js";
+
+/** How much of a leg's colour the sheet has while it touches, and while it is lifted. */
+const TOUCHING = 0.82, LIFTED = 0.32;
+const MOST_PIXELS_PER_PX = 2;
+
+/** What a canvas gives for drawing, or null where it cannot. */
+export const contextOf = (canvas) =>
+  canvas.getContext("webgl2", { alpha: false, antialias: true, stencil: false, powerPreference: "default" });
+
+export class GlPicture {
+  /** @param {HTMLCanvasElement} canvas @param {WebGL2RenderingContext} gl @param {import("./camera.js").ViewCamera} view */
+  constructor(canvas, gl, view) {
+    this.view = view;
+    this.renderer = new WebGLRenderer({ canvas, context: gl, alpha: false, antialias: true, stencil: false });
+    this.renderer.sortObjects = true;
+    this.mostPixels = onProcessor(gl) ? 1 : MOST_PIXELS_PER_PX;
+    this.scene = new Scene();
+    this.shared = sharedUniforms();
+    this.world = new Group();
+    this.world.matrixAutoUpdate = false;
+    this.onPlate = new Group();
+    this.onPlate.matrixAutoUpdate = false;
+    this.world.add(this.onPlate);
+    this.notes = new Notes(this.shared);
+    this.scene.add(this.world, this.notes.mesh);
+    this.pose = new Matrix4();
+    this.back = new Matrix4();
+    this.light = new Vector3();
+    this.parts = [];
+    this.ratio = 1;
+  }
+
+  /** Build what is drawn of a sheet. @param {import("./shown.js").Shown} shown */
+  build(shown) {
+    for (const part of this.parts) part.dispose();
+    this.world.clear();
+    this.onPlate.clear();
+    this.shown = shown;
+    const { scenario, surface } = shown, { shared } = this;
+    this.shadow = new Shadow(surface);
+    this.plate = new PlateMesh(scenario, surface.size, this.shadow, shared);
+    this.sheet = new SheetMesh(surface, shared);
+    this.marks = new Marks(scenario, shown.nNodes, shared);
+    this.trail = new Trail(shown, shared);
+    this.goal = new Contour(surface, shared, { width: 2.5, dash: Math.max(...surface.size) / 16 });
+    this.ghost = new Contour(surface, shared, { width: 2 });
+    this.cloud = new Cloud(scenario, shown.lattice, shared);
+    this.arrow = new PushArrow(surface.size, shared);
+    this.rulers = new Rulers(this.plate.shown, this.plate.pitch);
+    this.parts = [this.plate, this.sheet, this.marks, this.trail, this.goal, this.ghost, this.cloud, this.arrow, this.rulers];
+    this.onPlate.add(...this.trail.meshes, this.goal.mesh, this.ghost.mesh, this.arrow.mesh, this.rulers.group);
+    this.world.add(this.onPlate, this.plate.group, this.sheet.group, this.marks.group, this.cloud.group);
+    return this.plate.shown;
+  }
+
+  recolour(colours) {
+    this.colours = colours;
+    const [red, green, blue] = colours.panel;
+    this.renderer.setClearColor((Math.round(255 * red) << 16) | (Math.round(255 * green) << 8) | Math.round(255 * blue), 1);
+    this.parts.forEach((part) => part.recolour?.(colours));
+    this.goal?.colour(colours.failed);
+    this.ghost?.colour(colours.dark ? colours.paper : colours.ink);
+  }
+
+  /** @param {number} width CSS px @param {number} height @param {number} pixels of the screen over CSS px */
+  resize(width, height, pixels) {
+    this.ratio = Math.min(pixels, this.mostPixels);
+    this.renderer.setPixelRatio(this.ratio);
+    this.renderer.setSize(width, height, false);
+    this.shared.uViewport.value.set(this.renderer.domElement.width, this.renderer.domElement.height);
+    this.size = [width, height];
+  }
+
+  /**
+   * @param {object} asked what of it is wanted: layers, exaggerated, goal, ghost, cloud, push
+   */
+  draw(asked) {
+    const { shown, view, renderer } = this;
+    this.placeWorld(asked.exaggerated);
+    this.sheet.group.visible = this.marks.group.visible = shown.there;
+    if (shown.there) this.updateSheet(asked);
+    else this.shadow.dark.fill(0);
+    this.plate.update(this.pose, asked.exaggerated);
+    this.trail.meshes.forEach((mesh) => (mesh.visible = asked.layers.trail));
+    this.goal.place(asked.goal);
+    this.ghost.place(asked.ghost);
+    this.cloud.show(asked.cloud);
+    if (asked.push) this.arrow.show(asked.push.from, asked.push.to);
+    else this.arrow.hide();
+    this.notes.say(asked.said, this.colours, this.ratio);
+    this.shared.uEye.value.copy(view.camera.position);
+    renderer.render(this.scene, view.camera);
+  }
+
+  updateSheet({ layers, exaggerated, said }) {
+    const { shown, sheet } = this, { touching, frame } = shown;
+    // Towards the light as the plate sees it, with heights as they are drawn.
+    const [x, y, z] = this.shared.uLight.value;
+    const lx = x, ly = y, lz = z / exaggerated;
+    this.light.set(
+      frame[0] * lx + frame[3] * ly + frame[6] * lz, frame[1] * lx + frame[4] * ly + frame[7] * lz,
+      frame[2] * lx + frame[5] * ly + frame[8] * lz,
+    );
+    this.shadow.cast(frame, this.light.toArray(this.towards ??= [0, 0, 1]));
+    sheet.showBent(layers.bending);
+    if (layers.bending) said.most = shown.bent(layers.bending, sheet.bent);
+    const on = layers.legs && !layers.bending;
+    sheet.showLegs(on ? (touching.left ? TOUCHING : LIFTED) : 0, on ? (touching.right ? TOUCHING : LIFTED) : 0);
+    sheet.update(frame);
+    this.marks.group.visible = layers.contact || layers.forces;
+    if (this.marks.group.visible)
+      this.marks.update(shown.nodes, shown.onPlate, shown.hasForces ? shown.forces : null, frame, layers);
+    this.trail.update();
+  }
+
+  /** The plate's pose, and how the world is drawn: heights exaggerated, or the plate at rest and the world moving. */
+  placeWorld(exaggerated) {
+    const f = this.shown.frame;
+    this.pose.set(f[0], f[1], f[2], f[9], f[3], f[4], f[5], f[10], f[6], f[7], f[8], f[11], 0, 0, 0, 1);
+    this.onPlate.matrix.copy(this.pose);
+    const { matrix } = this.world;
+    matrix.makeScale(1, 1, exaggerated);
+    if (this.view.riding) matrix.multiply(this.back.copy(this.pose).invert());
+    this.world.updateMatrixWorld(true);
+    this.shared.uTurn.value.getNormalMatrix(matrix);
+  }
+
+  /** The ray that a place of the picture, CSS px, shows: in the data's world. */
+  rayAt(x, y) {
+    const { camera } = this.view, [width, height] = this.size;
+    this.back.copy(this.world.matrix).invert();
+    const far = new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0.5).unproject(camera).applyMatrix4(this.back);
+    const from = camera.position.clone().applyMatrix4(this.back);
+    return { from: from.toArray(), way: far.sub(from).normalize().toArray() };
+  }
+
+  dispose() {
+    for (const part of this.parts) part.dispose();
+    this.notes.dispose();
+    this.renderer.dispose();
+  }
+}
+
+/** Whether a processor draws, and no graphics card: then every pixel counts. */
+const onProcessor = (gl) => {
+  if (navigator.userAgent.includes("Firefox")) return /llvmpipe|software/i.test(String(gl.getParameter(gl.RENDERER)));
+  const more = gl.getExtension("WEBGL_debug_renderer_info");
+  return more !== null && /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(more.UNMASKED_RENDERER_WEBGL)));
+};

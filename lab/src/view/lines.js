@@ -1,0 +1,122 @@
+// Lines of one width on the screen, whole or dashed, on the plate: a quad for each piece.
+import { BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
+
+const VERTEX = /* glsl */ `
+  uniform vec2 uViewport;
+  uniform float uWidth;
+  attribute vec3 start, end;
+  attribute vec2 along;
+  varying float vAlong;
+  varying float vAcross;
+  void main() {
+    mat4 whole = projectionMatrix * viewMatrix * modelMatrix;
+    vec4 a = whole * vec4(start, 1.0), b = whole * vec4(end, 1.0);
+    vec2 way = (b.xy / b.w - a.xy / a.w) * uViewport;
+    float far = length(way);
+    way = far > 1e-6 ? way / far : vec2(1.0, 0.0);
+    vec4 at = position.x > 0.5 ? b : a;
+    // A pixel more all around, over which the edge softens; and the ends overlap, so that corners are closed.
+    float half_ = 0.5 * uWidth + 0.75;
+    vec2 shift = vec2(-way.y, way.x) * position.y * half_ + way * (2.0 * position.x - 1.0) * 0.4 * uWidth;
+    at.xy += shift / uViewport * 2.0 * at.w;
+    vAlong = mix(along.x, along.y, position.x);
+    vAcross = position.y * half_;
+    gl_Position = at;
+  }
+`;
+
+const FRAGMENT = /* glsl */ `
+  uniform vec3 uColour;
+  uniform float uWidth, uDash, uAlpha, uFade, uEnd;
+  varying float vAlong, vAcross;
+  void main() {
+    float alpha = uAlpha * clamp(0.5 * uWidth + 0.5 - abs(vAcross), 0.0, 1.0);
+    if (uDash > 0.0) {
+      float px = fwidth(vAlong) / uDash + 1e-6;
+      alpha *= clamp((0.28 - abs(fract(vAlong / uDash) - 0.5)) / px + 0.5, 0.0, 1.0);
+    }
+    if (uFade > 0.0) alpha *= mix(0.15, 1.0, clamp(1.0 - (uEnd - vAlong) / uFade, 0.0, 1.0));
+    gl_FragColor = vec4(uColour, alpha);
+  }
+`;
+
+export class Lines {
+  /**
+   * @param {number} most pieces
+   * @param {object} shared uniforms
+   * @param {{width?: number, dash?: number, alpha?: number, hidden?: boolean}} [look] width, px; dash, m; whether what is
+   *     in front hides the line
+   */
+  constructor(most, shared, { width = 2, dash = 0, alpha = 1, hidden = false } = {}) {
+    this.most = most;
+    this.count = 0;
+    this.start = new Float32Array(3 * most);
+    this.end = new Float32Array(3 * most);
+    this.along = new Float32Array(2 * most);
+    const geometry = new InstancedBufferGeometry();
+    const corners = Float32Array.from([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]);
+    geometry.setAttribute("position", new BufferAttribute(corners, 3)).setIndex([0, 1, 2, 0, 2, 3]);
+    for (const [name, size] of [["start", 3], ["end", 3], ["along", 2]])
+      geometry.setAttribute(name, new InstancedBufferAttribute(this[name], size).setUsage(DynamicDrawUsage));
+    geometry.instanceCount = 0;
+    this.uniforms = {
+      ...shared, uColour: { value: new Vector3() }, uWidth: { value: width }, uDash: { value: dash },
+      uAlpha: { value: alpha }, uFade: { value: 0 }, uEnd: { value: 0 },
+    };
+    const material = new ShaderMaterial({
+      vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, transparent: true, depthWrite: false,
+      depthTest: hidden,
+    });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = hidden ? 2 : 5;
+  }
+
+  colour(colour) {
+    this.uniforms.uColour.value.fromArray(colour);
+  }
+
+  clear() {
+    this.count = 0;
+    this.upload();
+  }
+
+  /** Add a piece between two places on the plate, m, and how far along the line they are. */
+  add(x0, y0, x1, y1, from, to) {
+    if (this.count >= this.most) return;
+    const k = this.count++;
+    this.put(k, x0, y0, x1, y1, from, to);
+  }
+
+  put(k, x0, y0, x1, y1, from, to) {
+    this.start[3 * k] = x0;
+    this.start[3 * k + 1] = y0;
+    this.end[3 * k] = x1;
+    this.end[3 * k + 1] = y1;
+    this.along[2 * k] = from;
+    this.along[2 * k + 1] = to;
+  }
+
+  /** Add a line through places, x and y one after the other; a closed one ends where it began. */
+  path(places, closed) {
+    const n = places.length / 2;
+    let along = 0;
+    for (let k = 0; k < (closed ? n : n - 1); k++) {
+      const a = 2 * k, b = 2 * ((k + 1) % n);
+      const length = Math.hypot(places[b] - places[a], places[b + 1] - places[a + 1]);
+      this.add(places[a], places[a + 1], places[b], places[b + 1], along, along + length);
+      along += length;
+    }
+    this.upload();
+  }
+
+  upload() {
+    this.mesh.geometry.instanceCount = this.count;
+    for (const name of ["start", "end", "along"]) this.mesh.geometry.attributes[name].needsUpdate = true;
+  }
+
+  dispose() {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}

@@ -1,0 +1,184 @@
+// The plate on its bar: of its size, or one that goes on further than is drawn; grid, axis, and the sheet's shadow on it.
+import {
+  BufferAttribute, BufferGeometry, DataTexture, Group, LinearFilter, Mesh, RedFormat, ShaderMaterial,
+  UnsignedByteType, Vector2, Vector3,
+} from "three";
+import { mix } from "./colours.js";
+import { LIT } from "./light.js";
+import { CELLS } from "./shadow.js";
+
+/** Thickness of the plate and radius of the bar over the plate's width. */
+const SLAB = 0.035, BAR = 0.03;
+/** How far a plate without end is drawn, over the sheet's size; and where the bar ends, over the plate's half length. */
+const WITHOUT_END = 1.45, BAR_ENDS = 7;
+
+const VERTEX = /* glsl */ `
+  varying vec3 vNormal, vAt;
+  varying vec2 vPlace;
+  void main() {
+    vec4 at = modelMatrix * vec4(position, 1.0);
+    vNormal = normalize(transpose(inverse(mat3(modelMatrix))) * normal);
+    vAt = at.xyz;
+    vPlace = position.xy;
+    gl_Position = projectionMatrix * viewMatrix * at;
+  }
+`;
+
+const SURFACE = /* glsl */ `
+  ${LIT}
+  uniform vec3 uColour, uGrid, uAxis, uDark;
+  uniform vec2 uHalf, uCorner;
+  uniform float uPitch, uWindow, uFade;
+  uniform sampler2D uShadow;
+  varying vec3 vNormal, vAt;
+  varying vec2 vPlace;
+  void main() {
+    vec2 px = fwidth(vPlace) + 1e-9;
+    vec2 off = abs(fract(vPlace / uPitch + 0.5) - 0.5) * uPitch / px;
+    float line = clamp(1.2 - min(off.x, off.y), 0.0, 1.0) * clamp(uPitch / (6.0 * max(px.x, px.y)), 0.0, 1.0);
+    vec3 colour = lit(uColour, normalize(vNormal), vAt, 0.0);
+    colour = mix(colour, uGrid, line);
+    colour = mix(colour, uAxis, clamp(1.4 - abs(vPlace.y) / px.y, 0.0, 1.0));
+    float dark = texture2D(uShadow, (vPlace - uCorner) / uWindow).r;
+    colour = mix(colour, uDark, dark);
+    vec2 share = abs(vPlace) / uHalf;
+    float rim = pow(pow(share.x, 3.0) + pow(share.y, 3.0), 1.0 / 3.0);
+    gl_FragColor = vec4(colour, 1.0 - uFade * smoothstep(0.62, 1.0, rim));
+  }
+`;
+
+const SOLID = /* glsl */ `
+  ${LIT}
+  uniform vec3 uColour;
+  uniform float uFade;
+  varying vec3 vNormal, vAt;
+  varying vec2 vPlace;
+  void main() {
+    gl_FragColor = vec4(lit(uColour, normalize(vNormal), vAt, 0.12), 1.0 - smoothstep(0.35 * uFade, uFade, abs(vPlace.x)));
+  }
+`;
+
+export class PlateMesh {
+  /**
+   * @param {object} scenario
+   * @param {number[]} size of the sheet, m
+   * @param {import("./shadow.js").Shadow} shadow
+   * @param {object} shared uniforms
+   */
+  constructor({ plate }, size, shadow, shared) {
+    this.shadow = shadow;
+    this.endless = plate === null || plate === undefined;
+    const far = WITHOUT_END * Math.max(...size);
+    /** Half the length and width of what is drawn, m; what the camera should show of it. */
+    this.half = this.endless ? [far, far] : [plate.length / 2, plate.width / 2];
+    this.shown = this.endless ? [0.56 * far, 0.56 * far] : this.half;
+    this.slab = 2 * SLAB * Math.min(...this.shown);
+    this.bar = 2 * BAR * Math.min(...this.shown);
+    /** Between lines of the grid, m. */
+    this.pitch = 10 ** Math.round(Math.log10((2 * Math.max(...this.shown)) / 8));
+    this.texture = new DataTexture(shadow.dark, CELLS, CELLS, RedFormat, UnsignedByteType);
+    this.texture.minFilter = this.texture.magFilter = LinearFilter;
+    this.uniforms = this.makeUniforms(shared);
+    this.group = new Group();
+    this.group.matrixAutoUpdate = false;
+    const surface = this.add(rectangle(this.half), SURFACE, this.uniforms, this.endless);
+    surface.renderOrder = 1;
+    this.bodies = new Group();
+    this.group.add(this.bodies);
+    this.metal = { ...shared, uColour: { value: new Vector3() }, uFade: { value: BAR_ENDS * this.half[0] } };
+    this.bodies.add(this.add(cylinder(this.half[0], this.bar, this.endless ? this.bar : this.slab + this.bar), SOLID, this.metal, true));
+    if (this.endless) return;
+    this.body = { ...shared, uColour: { value: new Vector3() }, uFade: { value: 1e6 } };
+    this.bodies.add(this.add(slab(this.half, this.slab), SOLID, this.body, false));
+  }
+
+  makeUniforms(shared) {
+    return {
+      ...shared, uColour: { value: new Vector3() }, uGrid: { value: new Vector3() }, uAxis: { value: new Vector3() },
+      uDark: { value: new Vector3() }, uHalf: { value: new Vector2(...this.half) }, uCorner: { value: new Vector2() },
+      uPitch: { value: this.pitch }, uWindow: { value: CELLS * this.shadow.grain }, uFade: { value: this.endless ? 1 : 0 },
+      uShadow: { value: this.texture },
+    };
+  }
+
+  add(geometry, fragmentShader, uniforms, transparent) {
+    const material = new ShaderMaterial({ vertexShader: VERTEX, fragmentShader, uniforms, transparent });
+    const mesh = new Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    this.group.add(mesh);
+    return mesh;
+  }
+
+  recolour({ plate, ink, paper, dark }) {
+    this.uniforms.uColour.value.fromArray(plate);
+    this.uniforms.uGrid.value.fromArray(mix(plate, dark ? paper : ink, dark ? 0.28 : 0.13));
+    this.uniforms.uAxis.value.fromArray(mix(plate, ink, 0.5));
+    this.uniforms.uDark.value.fromArray(dark ? [0.02, 0.03, 0.05] : [0.14, 0.18, 0.24]);
+    this.metal.uColour.value.fromArray(mix(plate, dark ? ink : [0.35, 0.38, 0.43], 0.35));
+    this.body?.uColour.value.fromArray(plate);
+  }
+
+  /** @param {import("three").Matrix4} pose of the plate @param {number} exaggerated how much higher than they are heights are drawn */
+  update(pose, exaggerated) {
+    this.group.matrix.copy(pose);
+    this.group.matrixWorldNeedsUpdate = true;
+    // Heights grow about the plate's surface, but neither slab nor bar gets thicker by it.
+    this.bodies.scale.set(1, 1, 1 / exaggerated);
+    this.texture.needsUpdate = true;
+    this.uniforms.uCorner.value.set(this.shadow.corner[0], this.shadow.corner[1]);
+  }
+
+  dispose() {
+    this.texture.dispose();
+    this.group.traverse((object) => {
+      object.geometry?.dispose();
+      object.material?.dispose();
+    });
+  }
+}
+
+const geometryOf = (positions, normals, index) => {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));
+  geometry.setAttribute("normal", new BufferAttribute(Float32Array.from(normals), 3));
+  return geometry.setIndex(index);
+};
+
+const rectangle = ([a, b]) =>
+  geometryOf([-a, -b, 0, a, -b, 0, a, b, 0, -a, b, 0], [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1], [0, 1, 2, 0, 2, 3]);
+
+/** Sides and bottom of the plate. */
+const slab = ([a, b], depth) => {
+  const corners = [[-a, -b], [a, -b], [a, b], [-a, b]], outward = [[0, -1], [1, 0], [0, 1], [-1, 0]];
+  const positions = [], normals = [], index = [];
+  const face = (points, normal) => {
+    const first = positions.length / 3;
+    for (const point of points) {
+      positions.push(...point);
+      normals.push(...normal);
+    }
+    index.push(first, first + 1, first + 2, first, first + 2, first + 3);
+  };
+  corners.forEach((corner, k) => {
+    const next = corners[(k + 1) % 4];
+    face([[...corner, -depth], [...next, -depth], [...next, 0], [...corner, 0]], [...outward[k], 0]);
+  });
+  face([...corners].reverse().map((corner) => [...corner, -depth]), [0, 0, -1]);
+  return geometryOf(positions, normals, index);
+};
+
+const AROUND = 24;
+
+/** The bar, from under the plate's edge on. */
+const cylinder = (from, radius, depth) => {
+  const positions = [], normals = [], index = [];
+  for (let k = 0; k <= AROUND; k++) {
+    const y = Math.cos((2 * Math.PI * k) / AROUND), z = Math.sin((2 * Math.PI * k) / AROUND);
+    for (const x of [0, -BAR_ENDS * from]) {
+      positions.push(x, radius * y, radius * z - depth);
+      normals.push(0, y, z);
+    }
+    if (k > 0) index.push(2 * k - 2, 2 * k, 2 * k - 1, 2 * k - 1, 2 * k, 2 * k + 1);
+  }
+  return geometryOf(positions, normals, index);
+};

@@ -1,0 +1,152 @@
+// The sheet's lower face: a smooth surface through its nodes, cut to its outline.
+import { insideOf, sizeOf } from "./outline_shape.js";
+import { LatticeSpline } from "./spline.js";
+import { cutGrid } from "./trimming.js";
+
+/** Cells along the sheet's longer side, and least along the shorter. */
+const CELLS = 64, LEAST_CELLS = 14, MOST_VERTICES = 6000;
+
+/** What is asked of a lattice: how many columns and rows of squares, and those that carry a node, in order. */
+export const latticeGrid = (lattice) => {
+  const pairs = Array.isArray(lattice.squares?.[0]) ? lattice.squares.flat() : lattice.squares;
+  let columns = lattice.columns ?? 0, rows = lattice.rows ?? 0;
+  for (let k = 0; k < pairs.length; k += 2) {
+    columns = Math.max(columns, pairs[k] + 1);
+    rows = Math.max(rows, pairs[k + 1] + 1);
+  }
+  return { columns, rows, squares: pairs, nNodes: pairs.length / 2 };
+};
+
+export class SheetSurface {
+  /**
+   * @param {object} sheet of a scenario: outline, pitch, thickness
+   * @param {object} lattice its nodes
+   * @param {number} [cells] along the longer side
+   */
+  constructor(sheet, lattice, cells = CELLS) {
+    const grid = latticeGrid(lattice), { pitch } = sheet;
+    this.nNodes = grid.nNodes;
+    this.pitch = pitch;
+    this.thickness = sheet.thickness;
+    this.size = sizeOf(sheet.outline);
+    const middle = [(grid.columns - 1) / 2, (grid.rows - 1) / 2];
+    this.cut = cutGrid(insideNear(sheet, grid, middle), ...gridLines(this.size, cells));
+    const { x, y } = this.cut;
+    this.nVertices = x.length;
+    this.spline = new LatticeSpline(grid.squares, x.map((at) => at / pitch + middle[0]), y.map((at) => at / pitch + middle[1]));
+    this.rest = restOf(grid.squares, pitch);
+    /** Centroid of the nodes, m from the outline's middle. */
+    this.centroid = [0, 1].map((d) => meanOf(grid.squares, d) * pitch - middle[d] * pitch);
+    this.area = areaOf(this.cut);
+    this.points = new Float32Array(3 * this.nVertices);
+    this.normals = new Float32Array(3 * this.nVertices);
+    this.turned = new Float64Array(6);
+    /** Middle of the nodes in the plate's frame, m, and how far the sheet has turned about its normal, rad. */
+    this.centre = new Float64Array(3);
+    this.angle = 0;
+  }
+
+  /**
+   * Put the surface through nodes.
+   * @param {Float32Array} nodes world, m
+   * @param {Float32Array} onPlate the same in the plate's frame
+   * @param {Float64Array} frame of the plate
+   */
+  update(nodes, onPlate, frame) {
+    this.findPlace(onPlate);
+    const cos = this.pitch * Math.cos(this.angle), sin = this.pitch * Math.sin(this.angle);
+    for (let d = 0; d < 3; d++) {
+      this.turned[d] = cos * frame[3 * d] + sin * frame[3 * d + 1];
+      this.turned[3 + d] = -sin * frame[3 * d] + cos * frame[3 * d + 1];
+    }
+    this.spline.through(nodes, this.points, this.turned);
+    this.findNormals();
+  }
+
+  findPlace(onPlate) {
+    const { rest, centre, nNodes: n } = this;
+    centre.fill(0);
+    for (let k = 0; k < 3 * n; k++) centre[k % 3] += onPlate[k] / n;
+    let cross = 0, dot = 0;
+    for (let k = 0; k < n; k++) {
+      const x = onPlate[3 * k] - centre[0], y = onPlate[3 * k + 1] - centre[1];
+      cross += rest[2 * k] * y - rest[2 * k + 1] * x;
+      dot += rest[2 * k] * x + rest[2 * k + 1] * y;
+    }
+    this.angle = Math.atan2(cross, dot);
+  }
+
+  /** Upward unit normals of the vertices, from the triangles around each. */
+  findNormals() {
+    const { points: p, normals: n } = this, { triangles, inner } = this.cut;
+    n.fill(0);
+    for (let t = 0; t < triangles.length; t += 3) {
+      const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
+      const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+      const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+      const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+      n[a] += x; n[a + 1] += y; n[a + 2] += z;
+      n[b] += x; n[b + 1] += y; n[b + 2] += z;
+      n[c] += x; n[c + 1] += y; n[c + 2] += z;
+    }
+    for (let k = 0; k < inner.length; k++) {
+      const i = 3 * k, from = 3 * inner[k];
+      const length = Math.sqrt(n[i] * n[i] + n[i + 1] * n[i + 1] + n[i + 2] * n[i + 2]);
+      if (length > 1e-16) {
+        n[i] /= length; n[i + 1] /= length; n[i + 2] /= length;
+      } else if (from !== i) {
+        n[i] = n[from]; n[i + 1] = n[from + 1]; n[i + 2] = n[from + 2];
+      } else n[i + 2] = 1;
+    }
+  }
+}
+
+/** Lines of a grid that spans the outline, with one more all around. */
+const gridLines = (size, cells) => {
+  const longer = Math.max(...size), shorter = Math.min(...size);
+  let step = Math.min(longer / cells, shorter / LEAST_CELLS);
+  step = Math.max(step, Math.sqrt((longer * shorter) / MOST_VERTICES), longer / 400);
+  return size.map((extent) => {
+    const n = Math.max(2, Math.round(extent / step));
+    return Float64Array.from({ length: n + 3 }, (_, k) => ((k - 1) / n - 0.5) * extent);
+  });
+};
+
+/** Inside the outline, and no further than a pitch from a node. */
+const insideNear = ({ outline, pitch }, { squares, columns, rows }, middle) => {
+  const inside = insideOf(outline), there = new Set();
+  for (let k = 0; k < squares.length; k += 2) there.add(squares[k] * (rows + 4) + squares[k + 1]);
+  const near = (x, y) => {
+    const u = x / pitch + middle[0], v = y / pitch + middle[1];
+    for (let i = Math.ceil(u - 1); i <= u + 1; i++)
+      for (let j = Math.ceil(v - 1); j <= v + 1; j++)
+        if (i >= 0 && j >= 0 && i < columns && j < rows && (u - i) ** 2 + (v - j) ** 2 <= 1 && there.has(i * (rows + 4) + j))
+          return true;
+    return false;
+  };
+  // A hair inwards, so that grid lines along an edge lie within it.
+  return (x, y) => inside(x * (1 - 1e-9), y * (1 - 1e-9)) && near(x, y);
+};
+
+const meanOf = (squares, d) => {
+  let sum = 0;
+  for (let k = d; k < squares.length; k += 2) sum += squares[k];
+  return (2 * sum) / squares.length;
+};
+
+/** Where each node is at rest, about the middle of all of them, m. */
+const restOf = (squares, pitch) => {
+  const mean = [meanOf(squares, 0), meanOf(squares, 1)];
+  return Float64Array.from(squares, (at, k) => (at - mean[k % 2]) * pitch);
+};
+
+/** Share of the sheet's area that each vertex stands for, m². */
+const areaOf = ({ x, y, triangles }) => {
+  const area = new Float32Array(x.length);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = triangles.subarray(t, t + 3);
+    const whole = ((x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])) / 2;
+    for (const k of [a, b, c]) area[k] += whole / 3;
+  }
+  return area;
+};

@@ -1,0 +1,60 @@
+// Shows frames in the picture alone, as a test tells it to: bundled with view.js into view_page.html.
+import { View } from "../src/view/view.js";
+
+const numbers = (text) => new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
+
+const unpack = (run) => {
+  const nodes = numbers(run.nodes), pose = numbers(run.pose), forces = numbers(run.forces), n = nodes.length / run.count;
+  const part = (values, k) => values.subarray((k * values.length) / run.count, ((k + 1) * values.length) / run.count);
+  const frames = run.time.map((time, k) => ({ time, nodes: part(nodes, k), pose: part(pose, k), forces: part(forces, k), n }));
+  return { ...run, frames };
+};
+
+globalThis.harness = {
+  view: null,
+  pushes: [],
+  open() {
+    this.view = new View(document.getElementById("picture"));
+    this.view.onPush((push) => this.pushes.push(push));
+    return this.view;
+  },
+  lay(run) {
+    this.run = unpack(run);
+    this.view.setSheet(this.run.scenario, this.run.lattice);
+  },
+  show(k) {
+    return this.view.show(this.run.frames[k]);
+  },
+  /** Show all frames up to one, so that there is a trail. */
+  play(last) {
+    for (let k = 0; k <= last; k++) if (!this.show(k)) return false;
+    return true;
+  },
+  /** Milliseconds a picture, until its pixels can be read, and those that the main thread is busy with it. */
+  measure(pictures) {
+    const gl = this.view.canvas.getContext("webgl2"), pixel = new Uint8Array(4), times = [], busy = [];
+    for (let k = 0; k < pictures; k++) {
+      const began = performance.now();
+      this.show(k % this.run.frames.length);
+      busy.push(performance.now() - began);
+      gl?.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      times.push(performance.now() - began);
+    }
+    const middle = (list) => list.slice(5).sort((a, b) => a - b)[(list.length - 5) >> 1];
+    return { picture: middle(times), busy: middle(busy) };
+  },
+  /** Pictures a second that the screen gets, one shown each time that it asks. */
+  pace(seconds) {
+    return new Promise((resolve) => {
+      const began = performance.now();
+      let shown = 0;
+      const next = () => {
+        this.show(shown++ % this.run.frames.length);
+        const past = (performance.now() - began) / 1000;
+        if (past < seconds) requestAnimationFrame(next);
+        else resolve(shown / past);
+      };
+      requestAnimationFrame(next);
+    });
+  },
+};
