@@ -18,8 +18,20 @@ from plategait.model.motion import rotation_of
 
 FISH = tuple(
     (0.001 * x, 0.001 * y)
-    for x, y in [(-55, 0), (-40, 14), (-15, 20), (12, 14), (30, 8), (52, 24), (46, 0), (52, -24), (30, -8), (12, -14),
-                 (-15, -20), (-40, -14)]  # fmt: skip
+    for x, y in [
+        (-55, 0),
+        (-40, 14),
+        (-15, 20),
+        (12, 14),
+        (30, 8),
+        (52, 24),
+        (46, 0),
+        (52, -24),
+        (30, -8),
+        (12, -14),
+        (-15, -20),
+        (-40, -14),
+    ]  # fmt: skip
 )
 
 
@@ -45,7 +57,9 @@ def cases() -> dict[str, Scenario]:
     return {
         "cheese": cheese,
         "plate": cheese.replace(plate=Plate(length=0.15, width=0.12)),
-        "soft": cheese.replace(**{"sheet.bending_stiffness": 0.3 * cheese.sheet.bending_stiffness, "motion.frequency": 27.0}),
+        "soft": cheese.replace(
+            **{"sheet.bending_stiffness": 0.3 * cheese.sheet.bending_stiffness, "motion.frequency": 27.0}
+        ),
         "fish": sheet(Polygon(corners=FISH), 0.005),
         "leaf": sheet(Mask(width_of_picture=0.12, rows=leaf()), 0.005),
         "ellipse": sheet(Ellipse(length=0.12, width=0.05), 0.008),
@@ -68,13 +82,11 @@ def frames_of(scenario: Scenario, name: str) -> dict[str, object]:
         fold = nodes[..., 0] - nodes[..., 0].mean(axis=1, keepdims=True) - 0.012
         angle = np.clip(fold / 0.012, 0, math.pi)
         over = fold > 0
-        reach = np.minimum(fold, 0.012 * math.pi)
         past = np.maximum(fold - 0.012 * math.pi, 0)
         x = 0.012 * np.sin(angle) - past
         z = 0.012 * (1 - np.cos(angle))
         nodes[..., 0] = np.where(over, nodes[..., 0] - fold + x, nodes[..., 0])
         nodes[..., 2] = np.where(over, nodes[..., 2] + z, nodes[..., 2])
-        del reach
     turn = rotation_of(pose)
     height = np.array([0, 0, scenario.motion.height])
     origin = pose[:, :3] + turn @ height - height
@@ -87,7 +99,11 @@ def frames_of(scenario: Scenario, name: str) -> dict[str, object]:
     lattice = scenario.sheet.lattice
     return {
         "scenario": json.loads(run.model_dump_json()),
-        "lattice": {"columns": lattice.occupied.shape[0], "rows": lattice.occupied.shape[1], "squares": lattice.squares.ravel().tolist()},
+        "lattice": {
+            "columns": lattice.occupied.shape[0],
+            "rows": lattice.occupied.shape[1],
+            "squares": lattice.squares.ravel().tolist(),
+        },
         "time": time.tolist(),
         "nodes": packed(nodes),
         "pose": packed(pose),
