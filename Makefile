@@ -7,6 +7,8 @@
 # make bench-peers  the same sheets through MuJoCo's batch and through ours
 # make fuzz   thousands of random scenarios and commands: none may crash, hang or answer with nonsense
 # make sanitize   the engine's tests and random scenarios on a core that reports every wrong access
+# make lab    build the page of `plategait lab`: the core for a browser, the page's modules (needs node)
+# make lab-check  build it anew elsewhere: what is shipped must be the same, byte by byte
 
 PYTHON ?= python3
 BIN := .venv/bin
@@ -19,7 +21,7 @@ SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 # Compiled modules are kept, whatever the environment says: each command that a test starts would compile all anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-fast test-kernels lint bench bench-peers fuzz sanitize clean always
+.PHONY: demo test test-fast test-kernels lint bench bench-peers fuzz sanitize lab lab-check clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
@@ -96,5 +98,32 @@ sanitize: $(SANITIZED)/installed
 	$(SANITIZERS) $(SANITIZED)/bin/python -m pytest $(ENGINE_TESTS)
 	$(SANITIZERS) $(SANITIZED)/bin/python -m benchmarks.fuzz --scenarios 500 --commands 0 --edges 50 --seed 2 --memory 0 --limit 300
 
+# The page is shipped as it is built here, so that nobody else needs the compiler, node or a browser. The compiler comes
+# from a package, its version from lab/build_engine.py, that of everything else from lab/package-lock.json.
+SHIPPED := src/plategait/lab/shipped
+ZIG := build/lab/zig
+
+$(ZIG)/installed: lab/build_engine.py
+	$(PYTHON) -m venv --clear $(ZIG)
+	$(ZIG)/bin/python -m pip install --quiet --disable-pip-version-check \
+	  ziglang==$$(sed -n 's/^COMPILER = "\(.*\)"/\1/p' $<)
+	touch $@
+
+lab/node_modules/.package-lock.json: lab/package-lock.json
+	cd lab && npm ci --no-audit --no-fund --silent
+
+# Into a folder of its own, with a cache of the compiler beside it that was empty.
+BUILD_LAB = rm -rf $(1) $(1)-cache && mkdir -p $(1) \
+	&& ZIG_GLOBAL_CACHE_DIR=$(abspath $(1)-cache) $(ZIG)/bin/python lab/build_engine.py $(1)/engine.wasm \
+	&& npm run --silent --prefix lab build -- $(abspath $(1)) && $(ZIG)/bin/python lab/built_from.py write $(1)
+
+lab: $(ZIG)/installed lab/node_modules/.package-lock.json
+	$(call BUILD_LAB,build/lab/made)
+	rm -rf $(SHIPPED) && mv build/lab/made $(SHIPPED)
+
+lab-check: $(ZIG)/installed lab/node_modules/.package-lock.json
+	$(call BUILD_LAB,build/lab/check)
+	diff -r --brief build/lab/check $(SHIPPED)
+
 clean:
-	rm -rf .venv build out
+	rm -rf .venv build out lab/node_modules
