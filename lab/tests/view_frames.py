@@ -1,7 +1,7 @@
 """Frames of runs for looking at the picture: `python view_frames.py OUT.json` simulates several sheets and writes them.
 
-The forces that the frames hold are made up from how deep nodes lie, for their marks to be looked at: the page's own come
-from the core.
+The forces that the frames hold are made up from how deep nodes lie, for their marks to be looked at: the page's own
+come from the core.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+
 from plategait import Disk, Ellipse, Mask, Plate, Polygon, Rectangle, Scenario, preset, simulate
 from plategait.model.motion import rotation_of
 
@@ -31,7 +32,7 @@ FISH = tuple(
         (12, -14),
         (-15, -20),
         (-40, -14),
-    ]  # fmt: skip
+    ]
 )
 
 
