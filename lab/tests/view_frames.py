@@ -1,4 +1,4 @@
-"""Frames of runs for looking at the picture: `python view_frames.py OUT.json` simulates several sheets and writes them.
+"""Frames of runs for looking at the picture: `python view_frames.py OUT.json` simulates several sheets.
 
 The forces that the frames hold are made up from how deep nodes lie, for their marks to be looked at: the page's own
 come from the core.
@@ -70,10 +70,12 @@ def cases() -> dict[str, Scenario]:
 
 
 def packed(values: np.ndarray) -> str:
+    """Numbers as text: single precision, base 64."""
     return base64.b64encode(np.ascontiguousarray(values, dtype=np.float32).tobytes()).decode()
 
 
 def frames_of(scenario: Scenario, name: str) -> dict[str, object]:
+    """A run's frames as `view_page.js` takes them."""
     short = name == "fine"
     run = scenario.replace(duration=0.25 if short else 1.2)
     recording = simulate(run, snapshot_interval=0.004).recordings[0]

@@ -1,7 +1,7 @@
 // What the sheet is compared with: where it should go, where a film saw it, and what else it may be.
 import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, ShaderMaterial, Vector3 } from "three";
 import { plateFrame, ontoPlate, FRAME_SIZE } from "./frame.js";
-import { LIT } from "./light.js";
+import { HALFWAY, LIT } from "./light.js";
 import { Lines } from "./lines.js";
 import { SheetSurface } from "./surface.js";
 
@@ -40,12 +40,14 @@ export class Contour {
 }
 
 const VERTEX = /* glsl */ `
+  ${HALFWAY}
   uniform mat3 uTurn;
-  varying vec3 vNormal, vAt;
+  varying float vEdge;
   void main() {
     vec4 at = modelMatrix * vec4(position, 1.0);
-    vNormal = normalize(uTurn * normal);
-    vAt = at.xyz;
+    vec3 up = normalize(uTurn * normal);
+    face(up, at.xyz);
+    vEdge = 1.0 - abs(dot(up, normalize(uEye - at.xyz)));
     gl_Position = projectionMatrix * viewMatrix * at;
   }
 `;
@@ -53,11 +55,10 @@ const VERTEX = /* glsl */ `
 const FRAGMENT = /* glsl */ `
   ${LIT}
   uniform vec3 uColour;
-  varying vec3 vNormal, vAt;
+  varying float vEdge;
   void main() {
     vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
-    float edge = 1.0 - abs(dot(normal, normalize(uEye - vAt)));
-    gl_FragColor = vec4(lit(uColour, normal, vAt, 0.0), 0.13 + 0.3 * edge * edge);
+    gl_FragColor = vec4(uColour * matt(normal), 0.13 + 0.3 * vEdge * vEdge);
   }
 `;
 

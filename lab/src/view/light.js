@@ -10,13 +10,26 @@ export const sharedUniforms = () => ({
   uEye: { value: new Vector3() },
 });
 
-/** GLSL: a colour, lit. Ambient, diffuse and a little shine, in the page's own colours. */
+/** GLSL for vertices: halfway between the light and the eye; every lit surface hands it on with its normal. */
+export const HALFWAY = /* glsl */ `
+  uniform vec3 uLight, uEye;
+  varying vec3 vNormal, vHalfway;
+  void face(vec3 normal, vec3 at) {
+    vNormal = normal;
+    vHalfway = normalize(uLight + normalize(uEye - at));
+  }
+`;
+
+/** GLSL for fragments: a colour, lit. Ambient, diffuse and a little shine, in the page's own colours. */
 export const LIT = /* glsl */ `
   uniform vec3 uLight;
-  uniform vec3 uEye;
-  vec3 lit(vec3 colour, vec3 normal, vec3 at, float shine) {
-    vec3 halfway = normalize(uLight + normalize(uEye - at));
-    float matt = 0.56 + 0.06 * normal.z + 0.46 * max(dot(normal, uLight), 0.0);
-    return colour * matt + shine * pow(max(dot(normal, halfway), 0.0), 36.0);
+  varying vec3 vNormal, vHalfway;
+  float matt(vec3 normal) {
+    return 0.56 + 0.06 * normal.z + 0.46 * max(dot(normal, uLight), 0.0);
+  }
+  float shine(vec3 normal) {
+    float s = max(dot(normal, vHalfway), 0.0);
+    s *= s; s *= s; s *= s; s *= s;
+    return s * s;
   }
 `;

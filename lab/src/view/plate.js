@@ -4,7 +4,7 @@ import {
   UnsignedByteType, Vector2, Vector3,
 } from "three";
 import { mix } from "./colours.js";
-import { LIT } from "./light.js";
+import { HALFWAY, LIT } from "./light.js";
 import { CELLS } from "./shadow.js";
 
 /** Thickness of the plate and radius of the bar over the plate's width. */
@@ -13,12 +13,11 @@ const SLAB = 0.035, BAR = 0.03;
 const WITHOUT_END = 1.45, BAR_ENDS = 7;
 
 const VERTEX = /* glsl */ `
-  varying vec3 vNormal, vAt;
+  ${HALFWAY}
   varying vec2 vPlace;
   void main() {
     vec4 at = modelMatrix * vec4(position, 1.0);
-    vNormal = normalize(transpose(inverse(mat3(modelMatrix))) * normal);
-    vAt = at.xyz;
+    face(normalize(transpose(inverse(mat3(modelMatrix))) * normal), at.xyz);
     vPlace = position.xy;
     gl_Position = projectionMatrix * viewMatrix * at;
   }
@@ -30,20 +29,18 @@ const SURFACE = /* glsl */ `
   uniform vec2 uHalf, uCorner;
   uniform float uPitch, uWindow, uFade;
   uniform sampler2D uShadow;
-  varying vec3 vNormal, vAt;
   varying vec2 vPlace;
   void main() {
     vec2 px = fwidth(vPlace) + 1e-9;
     vec2 off = abs(fract(vPlace / uPitch + 0.5) - 0.5) * uPitch / px;
     float line = clamp(1.2 - min(off.x, off.y), 0.0, 1.0) * clamp(uPitch / (6.0 * max(px.x, px.y)), 0.0, 1.0);
-    vec3 colour = lit(uColour, normalize(vNormal), vAt, 0.0);
+    vec3 colour = uColour * matt(vNormal);
     colour = mix(colour, uGrid, line);
     colour = mix(colour, uAxis, clamp(1.4 - abs(vPlace.y) / px.y, 0.0, 1.0));
     float dark = texture2D(uShadow, (vPlace - uCorner) / uWindow).r;
     colour = mix(colour, uDark, dark);
-    vec2 share = abs(vPlace) / uHalf;
-    float rim = pow(pow(share.x, 3.0) + pow(share.y, 3.0), 1.0 / 3.0);
-    gl_FragColor = vec4(colour, 1.0 - uFade * smoothstep(0.62, 1.0, rim));
+    vec2 share = abs(vPlace) / uHalf, cubes = share * share * share;
+    gl_FragColor = vec4(colour, 1.0 - uFade * smoothstep(0.24, 1.0, cubes.x + cubes.y));
   }
 `;
 
@@ -51,10 +48,11 @@ const SOLID = /* glsl */ `
   ${LIT}
   uniform vec3 uColour;
   uniform float uFade;
-  varying vec3 vNormal, vAt;
   varying vec2 vPlace;
   void main() {
-    gl_FragColor = vec4(lit(uColour, normalize(vNormal), vAt, 0.12), 1.0 - smoothstep(0.35 * uFade, uFade, abs(vPlace.x)));
+    vec3 normal = normalize(vNormal);
+    float alpha = 1.0 - smoothstep(0.35 * uFade, uFade, abs(vPlace.x));
+    gl_FragColor = vec4(uColour * matt(normal) + 0.12 * shine(normal), alpha);
   }
 `;
 

@@ -1,9 +1,10 @@
 // The sheet as it is drawn: both faces and the rim, with markers that show how it turns, its legs, or how it is bent.
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, Mesh, ShaderMaterial, Vector2, Vector3 } from "three";
 import { BENT, HIGH } from "./colours.js";
-import { LIT } from "./light.js";
+import { HALFWAY, LIT } from "./light.js";
 
 const VERTEX = /* glsl */ `
+  ${HALFWAY}
   uniform mat3 uTurn;
   uniform float uThickness;
   uniform vec3 uCentre, uAcross;
@@ -15,7 +16,6 @@ const VERTEX = /* glsl */ `
   #else
     uniform float uLift;
   #endif
-  varying vec3 vNormal, vAt;
   varying vec2 vRest;
   varying float vSide, vBent;
   void main() {
@@ -23,12 +23,11 @@ const VERTEX = /* glsl */ `
     vec4 at = modelMatrix * vec4(position, 1.0);
     #ifdef RIM
       at.xyz += up * (uThickness * lift);
-      vNormal = normalize(uTurn * outward);
+      face(normalize(uTurn * outward), at.xyz);
     #else
       at.xyz += up * (uThickness * uLift);
-      vNormal = up * (2.0 * uLift - 1.0);
+      face(up * (2.0 * uLift - 1.0), at.xyz);
     #endif
-    vAt = at.xyz;
     vRest = rest;
     vSide = dot(position - uCentre, uAcross);
     vBent = bent;
@@ -41,28 +40,27 @@ const FRAGMENT = /* glsl */ `
   uniform vec3 uSheet, uMarker, uLeft, uRight, uColours[3];
   uniform vec2 uHalf, uTouch, uPlace;
   uniform float uLegs, uBent, uSquare;
-  varying vec3 vNormal, vAt;
   varying vec2 vRest;
   varying float vSide, vBent;
-  float box(vec2 p, vec2 size) {
-    vec2 past = abs(p) - size, px = fwidth(p) + 1e-9;
-    vec2 edge = clamp(0.5 - past / px, 0.0, 1.0);
+  float box(vec2 p, vec2 size, vec2 px) {
+    vec2 edge = clamp(0.5 - (abs(p) - size) / px, 0.0, 1.0);
     return edge.x * edge.y;
   }
   void main() {
-    vec2 square = sin(vRest * (3.14159265 / uSquare));
-    float px = fwidth(vRest.x) + fwidth(vRest.y);
-    float check = clamp(square.x * square.y * uSquare / (1.5 * px + 1e-9), -1.0, 1.0);
+    vec2 square = abs(fract(vRest / (2.0 * uSquare)) * 2.0 - 1.0) * 2.0 - 1.0;
+    vec2 px = fwidth(vRest) + 1e-9;
+    vec2 check = clamp(square * uSquare / (2.0 * px), -1.0, 1.0);
     float side = clamp(vSide / (fwidth(vSide) + 1e-9) + 0.5, 0.0, 1.0);
     vec3 leg = mix(uRight, uLeft, side);
     vec3 colour = mix(uSheet, leg, uLegs * mix(uTouch.y, uTouch.x, side));
     float t = clamp(vBent, -1.0, 1.0);
     vec3 scale = t < 0.0 ? mix(uColours[1], uColours[0], -t) : mix(uColours[1], uColours[2], t);
     colour = mix(colour, scale, uBent);
-    colour *= 1.0 + 0.045 * check * (1.0 - 0.6 * uBent);
-    float marker = box(vRest, uHalf) + box(vRest - uPlace, uHalf);
+    colour *= 1.0 + 0.045 * check.x * check.y * (1.0 - 0.6 * uBent);
+    float marker = box(vRest, uHalf, px) + box(vRest - uPlace, uHalf, px);
     colour = mix(colour, uMarker, min(marker, 1.0) * (1.0 - 0.75 * uBent));
-    gl_FragColor = vec4(lit(colour, normalize(vNormal), vAt, 0.1), 1.0);
+    vec3 normal = normalize(vNormal);
+    gl_FragColor = vec4(colour * matt(normal) + 0.1 * shine(normal), 1.0);
   }
 `;
 
