@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import functools
+import shutil
 import sys
+from dataclasses import dataclass, field
 from pathlib import Path
 from subprocess import CompletedProcess
+from typing import Any
 
 import pytest
 import typer
@@ -38,3 +41,64 @@ def called(monkeypatch, capsys):
         return done
 
     return run
+
+
+# Chromium as systems call it, drawing by itself where there is no graphics card.
+CHROMIUM = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+DRAWING = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox")
+
+
+@dataclass
+class Tab:
+    """A page in a browser, and everything that it said, threw or asked of the network meanwhile."""
+
+    page: Any
+    messages: list[str] = field(default_factory=list)
+    errors: list[str] = field(default_factory=list)
+    requests: list[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.page.on("console", lambda message: self.messages.append(f"{message.type}: {message.text}"))
+        self.page.on("pageerror", lambda error: self.errors.append(str(error)))
+        self.page.context.on("request", self._asked)
+
+    def _asked(self, request: Any) -> None:
+        # What is in the file itself, and the file.
+        if not request.url.startswith(("blob:", "data:", "file:")):
+            self.requests.append(request.url)
+
+    def open(self, path: Path) -> None:
+        """Open a file as a double click does."""
+        self.page.goto(path.as_uri())
+
+    def check(self) -> None:
+        """Nothing was said, thrown or asked for."""
+        assert (self.messages, self.errors, self.requests) == ([], [], [])
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """A browser without a window; skips with the reason where there is none."""
+    sync = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    path = next(filter(None, map(shutil.which, CHROMIUM)), None)
+    if path is None:
+        pytest.skip(f"no browser here: none of {', '.join(CHROMIUM)}")
+    with sync.sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=path, args=list(DRAWING))
+        yield opened
+        opened.close()
+
+
+@pytest.fixture
+def new_tab(browser):
+    """Open tabs, each in a browser as fresh as a stranger's; keywords are those of playwright's contexts."""
+    contexts = []
+
+    def new(**options: Any) -> Tab:
+        context = browser.new_context(**options)
+        contexts.append(context)
+        return Tab(context.new_page())
+
+    yield new
+    for context in contexts:
+        context.close()
