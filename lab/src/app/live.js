@@ -1,0 +1,170 @@
+// One sheet that lives: a worker advances it a little ahead of what is shown, at the pace that was asked for.
+import { Frames, Samples } from "./history.js";
+import { wayTo } from "./change.js";
+
+const PICTURES = 60; // a second at most
+const AHEAD = 0.15; // s of wall time that are kept ready
+const A_PERIOD = 8; // frames that a plate period leaves to scrub through, of a sheet of few nodes
+const FEW_NODES = 200;
+const LONGEST_CHUNK = 0.06; // s of a worker's time in one go, so that changes are heard
+
+/**
+ * @typedef {{time: number, nodes: Float32Array, pose: number[], forces?: Float32Array, plate?: number[]}} Frame
+ */
+export class Live {
+  /**
+   * @param {{ask: (message: object) => Promise<any>, close: () => void}} worker
+   * @param {string} key by which the worker knows the sheet
+   * @param {{changed: () => void, refused: (message: string) => void}} told what happens is told to
+   */
+  constructor(worker, key, told) {
+    Object.assign(this, { worker, key, told });
+    this.speed = 1;
+    this.playing = true;
+    this.clock = 0;
+    this.capacity = Infinity; // simulated seconds per second of the worker
+    this.pace = { wall: 0, from: 0, speed: 0 };
+    this.run = 0;
+    this.ended = "";
+    this.frames = new Frames();
+    this.samples = new Samples();
+    this.queue = Promise.resolve();
+    this.pending = false;
+  }
+
+  /** Lay a sheet down, at rest, at time 0. */
+  start(scenario) {
+    const run = ++this.run;
+    this.scenario = scenario;
+    this.order(async () => {
+      if (run !== this.run) return; // another was laid down meanwhile
+      this.frames = new Frames();
+      this.samples = new Samples();
+      this.clock = 0;
+      this.ended = "";
+      this.pending = false;
+      await this.worker.ask({ ask: "open", key: this.key, scenario });
+      if (run === this.run) await this.advance(1e-9, 1);
+    });
+  }
+
+  /** Let the sheet be told of a change where it is; laid down anew only where it cannot be. */
+  become(scenario) {
+    const way = wayTo(this.scenario, scenario);
+    if (way === "anew" || this.ended) return this.start(scenario);
+    this.scenario = scenario;
+    if (way === "motion")
+      this.order(() => this.worker.ask({ ask: "change", key: this.key, motion: scenario.motion, ramp: scenario.motion.ramp }));
+    if (way === "become") this.order(() => this.worker.ask({ ask: "become", key: this.key, scenario }));
+    return undefined;
+  }
+
+  /** A kick: node velocities added to, m/s. */
+  push(kick) {
+    this.toTheEnd();
+    this.order(() => this.worker.ask({ ask: "push", key: this.key, ...kick }));
+  }
+
+  /** One thing after the other; what the worker refuses is said and loses nothing. */
+  order(work) {
+    this.queue = this.queue.then(work).catch((error) => {
+      this.pending = false;
+      this.told.refused(error.message ?? String(error));
+    });
+    return this.queue;
+  }
+
+  async advance(seconds, frames) {
+    const run = this.run;
+    this.pending = true;
+    const began = performance.now();
+    const reply = await this.worker.ask({ ask: "advance", key: this.key, seconds, frames });
+    this.pending = false;
+    if (run !== this.run) return;
+    const wall = (reply.wall ?? performance.now() - began) / 1000;
+    if (seconds > 1e-6 && wall > 0) this.capacity = smoothed(this.capacity, seconds / wall);
+    this.samples.add(reply.samples);
+    this.frames.add(reply.frames.filter((frame) => finite(frame.nodes)));
+    if (reply.diverged || reply.frames.some((frame) => !finite(frame.nodes))) this.ended = "diverged";
+    this.told.changed();
+  }
+
+  /** The pace that is possible, simulated seconds per second. */
+  get possible() {
+    return Math.min(this.speed, 0.85 * this.capacity);
+  }
+
+  /** Go on by what a picture takes; the frame to show. */
+  tick(wall) {
+    if (!this.frames.last) return null;
+    if (this.playing) {
+      this.clock = Math.min(this.clock + this.possible * Math.min(wall, 0.1), this.frames.last.time);
+      const ready = this.frames.last.time - this.clock;
+      if (!this.pending && !this.ended && ready < this.possible * AHEAD) {
+        const seconds = Math.max(1e-5, Math.min(this.possible * AHEAD, LONGEST_CHUNK * this.capacity));
+        this.pending = true;
+        this.order(() => this.advance(seconds, Math.max(1, Math.round(seconds * this.framesPerSecond))));
+      }
+    }
+    this.measurePace();
+    return this.frame;
+  }
+
+  /** Frames of a simulated second: those that are shown, and for few nodes more, to scrub through. */
+  get framesPerSecond() {
+    const few = (this.frames.last?.nodes.length ?? 0) <= 3 * FEW_NODES;
+    return Math.max(PICTURES / this.possible, few ? A_PERIOD * this.scenario.motion.frequency : 0);
+  }
+
+  get frame() {
+    return this.frames.list[this.frames.indexAt(this.clock)] ?? null;
+  }
+
+  /** What pace was reached, over a second. */
+  measurePace() {
+    const now = performance.now();
+    if (now - this.pace.wall > 1000) {
+      this.pace = { wall: now, from: this.clock, speed: Math.max(0, this.clock - this.pace.from) / ((now - this.pace.wall) / 1000) };
+    }
+  }
+
+  /** A picture forward or back; at the end the sheet goes on by one sample of its plate's period. */
+  step(by) {
+    this.playing = false;
+    const index = this.frames.indexAt(this.clock) + by;
+    if (index < 0) return;
+    if (index < this.frames.list.length) {
+      this.clock = this.frames.list[index].time;
+      this.told.changed();
+    } else if (!this.pending && !this.ended) {
+      this.order(async () => {
+        await this.advance(1 / (24 * this.scenario.motion.frequency), 1);
+        this.clock = this.frames.last?.time ?? 0;
+        this.told.changed();
+      });
+    }
+  }
+
+  seek(time) {
+    this.playing = false;
+    this.clock = Math.min(Math.max(time, this.frames.first?.time ?? 0), this.frames.last?.time ?? 0);
+    this.told.changed();
+  }
+
+  toTheEnd() {
+    this.clock = this.frames.last?.time ?? 0;
+  }
+
+  close() {
+    this.run++;
+    this.order(() => this.worker.ask({ ask: "close", key: this.key }));
+    this.worker.close();
+  }
+}
+
+const smoothed = (before, now) => (Number.isFinite(before) ? 0.7 * before + 0.3 * now : now);
+
+function finite(values) {
+  for (let k = 0; k < values.length; k += 3) if (!Number.isFinite(values[k])) return false;
+  return true;
+}
