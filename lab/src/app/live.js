@@ -69,7 +69,8 @@ export class Live {
   order(work) {
     this.queue = this.queue.then(work).catch((error) => {
       this.pending = false;
-      this.told.refused(error.message ?? String(error));
+      if (error.anew) this.start(this.scenario);
+      else this.told.refused(error.message ?? String(error));
     });
     return this.queue;
   }
