@@ -1,5 +1,5 @@
 // A spin curve: points with their spread, gaits by shape and colour, failures apart, the Lorentz line, other curves.
-import { colours } from "./colours.js";
+import { colours, onColours } from "./colours.js";
 import { lorentzian } from "../curve/lorentz.js";
 import { drawMark, MARKS, markInLegend } from "./marks.js";
 import { axis, element, leftAxis, plotIn, read, roomy } from "./plot.js";
@@ -10,17 +10,19 @@ const RADIUS = 5;
 const FADED = 0.4; // what is beyond the run-off
 const OVERLAYS = ["running", "walking", "failed", "sliding"];
 
-/** What the Lorentz fit says, in words; the rates of `fit` are in rad/s. */
-export const fitInWords = (fit) => {
-  if (!fit) return "";
-  if (fit.refused) return `No Lorentz fit: got ${fit.refused}. Try ${fit.advice}.`;
+/** What the Lorentz fit says, in words, number by number; the rates of `fit` are in rad/s. */
+export const fitInParts = (fit) => {
+  if (!fit) return [];
+  if (fit.refused) return [`No Lorentz fit: got ${fit.refused}. Try ${fit.advice}.`];
   const line = (name, value, interval, unit) => `${name} ${read(value, 4)} ${unit} [${read(interval[0], 4)}, ${read(interval[1], 4)}]`;
   const degrees = fit.peakInterval.map((rate) => rate / DEGREE);
   return [
     line("f0", fit.f0, fit.f0Interval, "Hz"), line("b", fit.halfWidth, fit.halfWidthInterval, "Hz"),
     line("peak", fit.peak / DEGREE, degrees, "°/s"), `R² ${fit.r2.toFixed(3)}`,
-  ].join(" · ");
+  ];
 };
+
+export const fitInWords = (fit) => fitInParts(fit).join(" · ");
 
 /** What a point shows, in words. */
 export const pointInWords = (point) => {
@@ -63,7 +65,7 @@ export const spinCurve = (el, { onPick } = {}) => {
   }, [[0, 1], [null, null]]);
   const choose = (index) => {
     chosen = index;
-    readout.textContent = index < 0 ? "" : pointInWords(data.points[index]) + (onPick ? " — click or Enter to watch it" : "");
+    readout.textContent = index < 0 ? "" : pointInWords(data.points[index]) + (onPick ? "; click or Enter watches it" : "");
     chart.plot?.redraw(false);
     if (index >= 0) {
       below.setAttribute("aria-valuenow", String(data.points[index].frequency));
@@ -218,6 +220,8 @@ const pickable = (below, chart, points, chosen, choose, onPick) => {
 const legendOf = (el) => {
   const list = el.appendChild(element("p", "chart-legend"));
   let shown = "";
+  let marks = [];
+  const away = onColours(() => marks.forEach(({ draw }) => draw()));
   return {
     update({ points, overlays, fit }) {
       const kinds = Object.keys(MARKS).filter((kind) =>
@@ -228,14 +232,18 @@ const legendOf = (el) => {
       const key = JSON.stringify([kinds, partly, beyond, overlays.map(({ name }) => name), Boolean(fit && !fit.refused)]);
       if (key === shown) return;
       shown = key;
-      const items = kinds.map((kind) => markInLegend(kind, kind || "gait unknown").item);
-      if (partly) items.push(markInLegend("", "half-filled: some of the runs failed", true).item);
+      marks = kinds.map((kind) => markInLegend(kind, kind || "gait unknown"));
+      if (partly) marks.push(markInLegend("", "half-filled: some of the runs failed", true));
+      const items = marks.map(({ item }) => item);
       if (beyond) items.push(element("span", "", "faded: beyond the run-off, left out of the fit"));
       if (fit && !fit.refused) items.push(lineInLegend("ink", 0, "Lorentz fit"));
       overlays.forEach(({ name }, i) => items.push(lineInLegend(OVERLAYS[i % OVERLAYS.length], 2, name)));
       list.replaceChildren(...items);
     },
-    destroy: () => list.remove(),
+    destroy() {
+      away();
+      list.remove();
+    },
   };
 };
 

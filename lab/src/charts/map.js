@@ -1,5 +1,5 @@
 // A map over two parameters: values by an even scale of colours, letters for gaits, hatching where a point failed.
-import { colours, inkOn, scaleColour } from "./colours.js";
+import { colours, inkOn, onColours, scaleColour } from "./colours.js";
 import { MARKS } from "./marks.js";
 import { axis, element, leftAxis, plotIn, read } from "./plot.js";
 
@@ -7,8 +7,8 @@ import { axis, element, leftAxis, plotIn, read } from "./plot.js";
  * @param {HTMLElement} el
  * @param {{onPick?: (cell: {i: number, j: number}) => void}} given called with a cell that was clicked, or Enter on it
  * @returns {{update(data: object), resize(), destroy()}} data: x and y {label, values} in people's units, `cells` a map of
- *   "i,j" to {value, gait, failed, failure, refused} with values in people's units, `label` and `unit` of the values,
- *   `step(i, j)` the coarse cell that stands in for one that is not computed yet, or null
+ *   "i,j" to {value, gait, failed, failure, refused} with values in people's units, `label` and `unit` of the values; where
+ *   these are the numbers of words, the words as `categories`; `step(i, j)` the coarse cell that stands in for one that is not computed yet, or null
  */
 export const heatMap = (el, { onPick } = {}) => {
   el.classList.add("chart-parts");
@@ -58,8 +58,8 @@ export const heatMap = (el, { onPick } = {}) => {
 };
 
 /** Least and largest of the values that there are. */
-const extent = ({ cells, range }) => {
-  if (range) return range;
+const extent = ({ cells, categories }) => {
+  if (categories) return [0, categories.length - 1];
   const values = [...cells.values()].filter((cell) => !cell.failed).map(({ value }) => value).filter(Number.isFinite);
   return values.length ? [Math.min(...values), Math.max(...values)] : [NaN, NaN];
 };
@@ -93,29 +93,44 @@ const drawCells = (u, data, chosen) => {
       const own = data.cells.get(`${i},${j}`);
       const cell = own ?? data.step?.(i, j);
       if (!cell) continue;
-      const box = [u.bbox.left + i * w, u.bbox.top + (ny - 1 - j) * h, Math.ceil(w), Math.ceil(h)];
+      const [left, top] = [Math.round(u.bbox.left + i * w), Math.round(u.bbox.top + (ny - 1 - j) * h)];
+      const [right, bottom] = [Math.round(u.bbox.left + (i + 1) * w), Math.round(u.bbox.top + (ny - j) * h)];
       ctx.globalAlpha = own ? 1 : 0.45;
-      drawCell(ctx, box, cell, ends, letters && own, scale);
+      drawCell(ctx, [left, top, right - left, bottom - top], cell, lookOf(data, cell, ends), letters && own, scale);
       ctx.globalAlpha = 1;
     }
   }
-  if (chosen) {
-    ctx.strokeStyle = colours.accent;
-    ctx.lineWidth = 2.5 * scale;
+  // A ring of two colours, of which one is seen on whatever lies below.
+  for (const [colour, width] of chosen ? [[colours.ink, 5], [colours.paper, 2]] : []) {
+    ctx.strokeStyle = colour;
+    ctx.lineWidth = width * scale;
     ctx.strokeRect(u.bbox.left + chosen.i * w, u.bbox.top + (ny - 1 - chosen.j) * h, w, h);
   }
   ctx.restore();
 };
 
-const drawCell = (ctx, [x, y, w, h], cell, ends, letters, scale) => {
-  const share = shareOf(cell.value, ends);
-  const known = Number.isFinite(cell.value) && !cell.failed;
-  ctx.fillStyle = known ? scaleColour(share) : colours.panel;
+/** Colour of a word of a map of words: gaits have theirs everywhere. */
+const wordColour = (categories, i) => {
+  if (MARKS[categories[i]]) return colours[MARKS[categories[i]].colour];
+  return i === 0 ? colours.panel : scaleColour(i / (categories.length - 1));
+};
+
+/** Colour of a cell, and the letter on it with its ink: its gait's, or that of the word which the map shows. */
+const lookOf = ({ categories }, { value, gait, failed }, ends) => {
+  if (!Number.isFinite(value) || failed) return { fill: colours.panel, letter: "", ink: colours.ink };
+  if (!categories) return { fill: scaleColour(shareOf(value, ends)), letter: MARKS[gait]?.letter ?? "", ink: inkOn(shareOf(value, ends)) };
+  const word = categories[value];
+  if (MARKS[word]) return { fill: wordColour(categories, value), letter: MARKS[word].letter, ink: colours.paper };
+  return { fill: wordColour(categories, value), letter: value > 0 ? word[0] : "", ink: inkOn(value / (categories.length - 1)) };
+};
+
+const drawCell = (ctx, [x, y, w, h], cell, { fill, letter, ink }, letters, scale) => {
+  ctx.fillStyle = fill;
   ctx.fillRect(x, y, w, h);
   if (cell.failed || cell.refused) hatch(ctx, x, y, w, h, cell.refused ? colours.muted : colours.failed, scale);
-  if (letters && known && cell.gait) {
-    ctx.fillStyle = inkOn(share);
-    ctx.fillText(MARKS[cell.gait].letter, x + w / 2, y + h / 2);
+  if (letters && letter) {
+    ctx.fillStyle = ink;
+    ctx.fillText(letter, x + w / 2, y + h / 2);
   }
 };
 
@@ -143,7 +158,7 @@ const cellInWords = (data, { i, j }) => {
   const place = `${data.x.label} ${read(data.x.values[i], 4)}, ${data.y.label} ${read(data.y.values[j], 4)}`;
   if (!cell) return `${place}: not computed yet`;
   if (cell.refused) return `${place}: ${cell.refused}`;
-  const value = Number.isFinite(cell.value) && data.label !== "gait" ? `${data.label} ${read(cell.value)} ${data.unit}`.trim() : "";
+  const value = Number.isFinite(cell.value) && !data.categories ? `${data.label} ${read(cell.value)} ${data.unit}`.trim() : "";
   return `${place}: ${[value, cell.gait, cell.failure].filter(Boolean).join(", ") || "nothing to measure"}`;
 };
 
@@ -182,31 +197,52 @@ const pickable = (below, chart, dataOf, chosen, choose, onPick) => {
   });
 };
 
-/** The scale of colours with its ends, and what letters and hatching mean. */
+/** The scale of colours with its ends or words, and what letters and hatching mean. */
 const legendOf = (el) => {
   const list = el.appendChild(element("p", "chart-legend"));
+  const what = element("span");
+  const scale = element("span");
+  const letters = element("span");
+  list.append(what, scale, letters);
   const [low, high] = [element("span"), element("span")];
-  const ramp = document.createElement("canvas");
-  ramp.className = "ramp";
-  ramp.width = 64;
-  ramp.height = 1;
-  ramp.setAttribute("aria-hidden", "true");
-  const ctx = ramp.getContext("2d");
-  for (let x = 0; x < ramp.width; x++) {
-    ctx.fillStyle = scaleColour(x / (ramp.width - 1));
+  const ramp = swatch(64, (share) => scaleColour(share), "ramp");
+  let words = "";
+  let shown = null;
+  const away = onColours(() => {
+    words = "";
+    if (shown) update(shown);
+  });
+  const update = (data) => {
+    shown = data;
+    what.textContent = data.label + (data.unit ? ` (${data.unit})` : "");
+    const now = JSON.stringify(data.categories);
+    if (now !== words) {
+      words = now;
+      scale.replaceChildren(...(data.categories
+        ? data.categories.flatMap((word, i) => [swatch(1, () => wordColour(data.categories, i), "patch"), word]) : [low, ramp, high]));
+      const gaits = data.categories ? "" : "s sliding · w walking · r running · ";
+      letters.textContent = data.label === "failure" ? "letters: how it failed" : `${gaits}hatched: failed`;
+    }
+    if (!data.categories) [low.textContent, high.textContent] = extent(data).map((end) => read(end));
+  };
+  return {
+    update,
+    remove() {
+      away();
+      list.remove();
+    },
+  };
+};
+
+/** A strip of colours. */
+const swatch = (width, colour, name) => {
+  const canvas = document.createElement("canvas");
+  Object.assign(canvas, { className: name, width, height: 1 });
+  canvas.setAttribute("aria-hidden", "true");
+  const ctx = canvas.getContext("2d");
+  for (let x = 0; x < width; x++) {
+    ctx.fillStyle = colour(x / Math.max(width - 1, 1));
     ctx.fillRect(x, 0, 1, 1);
   }
-  const values = element("span", "ramp-with-ends");
-  values.append(low, ramp, high);
-  const what = element("span");
-  const letters = element("span", "muted", "s sliding · w walking · r running · hatched: failed");
-  list.append(what, values, letters);
-  return {
-    update(data) {
-      const ends = extent(data);
-      what.textContent = data.label + (data.unit ? ` (${data.unit})` : "");
-      [low.textContent, high.textContent] = data.ends ?? ends.map((end) => read(end));
-    },
-    remove: () => list.remove(),
-  };
+  return canvas;
 };
