@@ -4,7 +4,6 @@ import { test } from "node:test";
 import { starts, together } from "../src/simulation/ensemble.js";
 import { energyLedger } from "../src/simulation/energy.js";
 import { firstFailure, gait, rotation, slip, spinRate, twist } from "../src/simulation/observables.js";
-import { platePeriod } from "../src/simulation/observe.js";
 import { roundHalfEven } from "../src/simulation/samples.js";
 
 const PERIOD = 1 / 24;
@@ -95,12 +94,6 @@ test("starts are the nominal one and others of the told spread", () => {
     // Four standard errors of 4,000 draws.
     assert.ok(Math.abs(mean) < 4 / Math.sqrt(4000) && Math.abs(variance - 1) < 4 * Math.sqrt(2 / 4000));
   });
-});
-
-test("a plate whose waves have ratios that are not whole repeats after several periods", () => {
-  assert.equal(platePeriod({ frequency: 20, waves: [] }), 1 / 20);
-  assert.equal(platePeriod({ frequency: 20, waves: [{ ratio: 2 }, { ratio: 1.5 }] }), 2 / 20);
-  assert.equal(platePeriod({ frequency: 20, waves: [{ ratio: 0.25 }, { ratio: 1 / 3 }] }), 12 / 20);
 });
 
 test("halves go to the even number", () => {

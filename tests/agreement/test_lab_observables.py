@@ -62,8 +62,6 @@ def diverged(recording: Recording, name: str, value: float) -> Recording:
 
 
 def plain(scenario: pg.Scenario, recording: Recording) -> dict[str, Any]:
-    lattice = scenario.sheet.lattice.rest
-
     def packed(series: np.ndarray) -> str:
         return base64.b64encode(np.ascontiguousarray(series, "<f8")).decode()
 
@@ -71,7 +69,6 @@ def plain(scenario: pg.Scenario, recording: Recording) -> dict[str, Any]:
         "scenario": json.loads(scenario.model_dump_json()),
         "channels": {name: packed(series) for name, series in recording.channels.items()},
         "diverged": recording.diverged,
-        "size": float(np.ptp(lattice, axis=0).max() + 1) * scenario.sheet.pitch,
     }  # fmt: skip
 
 

@@ -26,6 +26,9 @@ export const thinned = (time, values, columns = COLUMNS) => {
   return [...kept].sort((a, b) => a - b);
 };
 
+/** Name of a series' colour, with or without the dashes of a style sheet. */
+const nameOf = ({ colour }, i) => colour?.replace(/^--/, "") ?? USUAL[i % USUAL.length];
+
 const shown = (value) => (Number.isFinite(value) ? value : null);
 
 /**
@@ -37,7 +40,7 @@ const shown = (value) => (Number.isFinite(value) ? value : null);
 export const timeSeries = (el, { series, unit = "", label = "", zero = true, limit = null }) => {
   let bound = limit;
   const legend = series.length > 1 ? legendOf(el, series) : null;
-  const colourOf = (i) => () => colours[series[i].colour ?? USUAL[i % USUAL.length]];
+  const colourOf = (i) => () => colours[nameOf(series[i], i)];
   const range = (_, low, high) => {
     const all = [low, high, ...(zero ? [0] : []), ...(bound ? [bound.value] : [])].filter(Number.isFinite);
     return roomy(Math.min(...all), Math.max(...all));
@@ -95,7 +98,7 @@ const legendOf = (el, series) => {
   const list = element("p", "chart-legend");
   series.forEach((each, i) => {
     const line = element("i", `line line-${i % DASHES.length}`);
-    line.style.color = `var(--${each.colour ?? USUAL[i % USUAL.length]})`;
+    line.style.color = `var(--${nameOf(each, i)})`;
     const item = element("span");
     item.append(line, each.label);
     list.append(item);

@@ -1,12 +1,13 @@
 // The tab "Spin curve": spin rate over frequency on all workers, drawn as it is computed, with its Lorentz fit.
+import { saveText } from "../app/save.js";
 import { fitInParts, pointInWords, spinCurve } from "../charts/curve.js";
 import { element } from "../charts/plot.js";
 import { curveCsv } from "../curve/file.js";
 import { fitPoints, fittedPoints } from "../curve/points.js";
 import { together } from "../simulation/ensemble.js";
-import { buttonOf, choiceField, FieldError, faultLine, quantity, textField, whole } from "./form.js";
+import { buttonOf, choiceField, faultLine, notAllowed, quantity, textField, whole } from "./form.js";
 import { readCurve, storedCurves } from "./overlays.js";
-import { coarseFirst, fileName, observeAll, oncePerPicture, saveText } from "./work.js";
+import { coarseFirst, fileName, observeAll, oncePerPicture } from "./work.js";
 
 const MOST_POINTS = 200;
 const MOST_REPEATS = 32;
@@ -45,9 +46,9 @@ export const curveTab = (el, desk) => {
       duration: quantity("time of a point", fields.seconds.input.value, SECONDS, units),
       repeats: whole("starts of a point", fields.repeats.input.value, 1, MOST_REPEATS),
     };
-    if (!(told.to > told.from)) throw new FieldError("to", fields.to.input.value, `above ${told.from} Hz, where the curve begins`);
+    if (!(told.to > told.from)) throw notAllowed("to", fields.to.input.value, `above ${told.from} Hz, where the curve begins`);
     if (told.count * told.repeats > MOST_RUNS) {
-      throw new FieldError("starts of a point", `${told.count * told.repeats} runs in all`, `at most ${MOST_RUNS} runs`);
+      throw notAllowed("starts of a point", `${told.count * told.repeats} runs in all`, `at most ${MOST_RUNS} runs`);
     }
     return told;
   };
@@ -66,7 +67,7 @@ export const curveTab = (el, desk) => {
     open: async (file) => {
       fault.clear();
       try {
-        if (file.size > MOST_BYTES) throw new FieldError(file.name, `${Math.round(file.size / 1e6)} MB`, "a curve of 2 MB at most");
+        if (file.size > MOST_BYTES) throw notAllowed(file.name, `${Math.round(file.size / 1e6)} MB`, "a curve of 2 MB at most");
         state.own.push(readCurve(file.name, await file.text()));
         page.fillOverlays(stored, state.own, `own ${state.own.length - 1}`);
         draw();

@@ -1,58 +1,38 @@
 // Controls of a study: labelled fields that are read with their units, and one line for what is wrong with one.
-import { element, read } from "../charts/plot.js";
-
-const NUMBER = /^\s*([-+−]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+]?\d+)?)\s*(.*?)\s*$/i;
+import { parsed, pretty } from "../app/quantity.js";
+import { element } from "../charts/plot.js";
 
 /** What is wrong with a field, in one line: which, what was got, what is allowed. */
 export class FieldError extends Error {
-  constructor(field, got, allowed) {
-    super(`${field}: got ${got}, must be ${allowed}`);
+  constructor(field, fault) {
+    super(`${field}: ${fault}`);
     this.field = field;
   }
 }
 
-/** A unit as people write it. */
-export const pretty = (unit) => unit.replaceAll("*", "\u202f").replaceAll("^2", "²").replace(/\bdeg\b/g, "°");
-
-/** Bounds of a field of the model, in words and in its unit. */
-export const boundsOf = (field) => {
-  const words = [["above", field.above], ["at least", field.at_least], ["at most", field.at_most]]
-    .filter(([, bound]) => bound !== null && bound !== undefined)
-    .map(([word, bound]) => `${word} ${read(bound / field.factor, 4)} ${pretty(field.display)}`.trim());
-  return words.join(" and ") || "a finite number";
-};
-
-const holds = (value, { above, at_least: least, at_most: most }) =>
-  Number.isFinite(value) && !(value <= (above ?? -Infinity)) && !(value < (least ?? -Infinity)) && !(value > (most ?? Infinity));
+/** Refusal of what was got, with what is allowed. */
+export const notAllowed = (field, got, allowed) => new FieldError(field, `${got} is not allowed: ${allowed}.`);
 
 /**
  * A quantity as typed, in SI. A bare number is in the unit that people read.
  *
  * @param {string} name of the control
  * @param {string} text
- * @param {{unit, display, factor, above, at_least, at_most}} field of the model
+ * @param {import("../app/quantity.js").Field} field of the model
  * @param {Record<string, [number, string]>} units factor and SI unit of each
  * @throws {FieldError}
  */
 export const quantity = (name, text, field, units) => {
-  const match = NUMBER.exec(text);
-  if (!match) throw new FieldError(name, `“${text.slice(0, 40)}”`, `a number, such as ${field.example}`);
-  const [, number, unit] = match;
-  const plain = unit.replaceAll("°", "deg").replaceAll("µ", "u").replaceAll("·", "*");
-  const known = unit === "" ? [field.factor, field.unit] : Object.hasOwn(units, plain) ? units[plain] : null;
-  if (!known || known[1] !== field.unit) {
-    throw new FieldError(name, `“${text.slice(0, 40)}”`, `in ${pretty(field.display) || "no unit"} or like it`);
-  }
-  const value = Number(number.replace("−", "-").replace(",", ".")) * known[0];
-  if (!holds(value, field)) throw new FieldError(name, text.slice(0, 40), boundsOf(field));
-  return value;
+  const told = parsed(text, field, units);
+  if (told.fault) throw new FieldError(name, told.fault);
+  return told.value;
 };
 
 /** A whole number as typed, within bounds. */
 export const whole = (name, text, least, most) => {
   const value = Number(text);
   if (text.trim() === "" || !Number.isInteger(value) || value < least || value > most) {
-    throw new FieldError(name, `“${text.slice(0, 40)}”`, `a whole number from ${least} to ${most}`);
+    throw notAllowed(name, `“${text.slice(0, 40)}”`, `a whole number from ${least} to ${most}`);
   }
   return value;
 };
@@ -114,7 +94,7 @@ export const faultLine = (fields) => {
     clear,
     tell(error) {
       clear();
-      line.textContent = `${error.message}.`;
+      line.textContent = error.message;
       const wrong = fields().find(({ name }) => name === error.field);
       wrong?.input.setAttribute("aria-invalid", "true");
       wrong?.input.focus();

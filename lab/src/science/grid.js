@@ -1,4 +1,5 @@
 // The grid of a map: which parameters there are, their values, the order of cells, and the map as a file.
+import { valueOf } from "../app/change.js";
 import { observableColumns } from "../curve/file.js";
 
 const DEGREE = Math.PI / 180;
@@ -7,24 +8,6 @@ const COARSEST = 8;
 const OF_THE_RUN = new Set(["duration", "transient", "time_step", "motion.ramp"]);
 // Sheets that differ in these differ in their lattices, of which a module runs one at a time.
 const OF_THE_LATTICE = /^sheet\.(outline|pitch)/;
-
-/** What a scenario has by a dotted name; undefined where there is nothing. */
-export const valueOf = (scenario, name) => {
-  if (name === "friction_angle") return Math.atan(scenario.friction.static);
-  return name.split(".").reduce((part, key) => part?.[key], scenario);
-};
-
-/** The scenario with one value set; all else shared. */
-export const withValue = (scenario, name, value) => {
-  if (name === "friction_angle") {
-    // Both frictions together, their ratio kept, as in section 4.5.
-    const { static: before, kinetic } = scenario.friction;
-    const own = Math.tan(value);
-    return { ...scenario, friction: { ...scenario.friction, static: own, kinetic: before > 0 ? (own * kinetic) / before : own } };
-  }
-  const put = (part, [key, ...rest]) => ({ ...part, [key]: rest.length ? put(part[key], rest) : value });
-  return put(scenario, name.split("."));
-};
 
 /** Numbers of a scenario that a map can go over: fields of the model that this scenario has. */
 export const parametersOf = (facts, scenario) => {

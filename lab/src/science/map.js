@@ -1,12 +1,15 @@
 // The tab "Map": an observable over any two parameters, coarse first, on all workers.
+import { valueOf, withValue } from "../app/change.js";
+import { pretty } from "../app/quantity.js";
+import { saveText } from "../app/save.js";
 import { heatMap } from "../charts/map.js";
 import { element, read } from "../charts/plot.js";
 import { together } from "../simulation/ensemble.js";
 import { FAILURES, GAITS } from "../simulation/observables.js";
 import { OBSERVABLES, scaleOf } from "../simulation/registry.js";
-import { buttonOf, choiceField, FieldError, faultLine, pretty, quantity, textField, whole } from "./form.js";
-import { cellsOf, mapCsv, parametersOf, standIn, valueOf, valuesOf, withValue, wordsOf } from "./grid.js";
-import { fileName, observeAll, oncePerPicture, saveText } from "./work.js";
+import { buttonOf, choiceField, faultLine, notAllowed, quantity, textField, whole } from "./form.js";
+import { cellsOf, mapCsv, parametersOf, standIn, valuesOf, wordsOf } from "./grid.js";
+import { fileName, observeAll, oncePerPicture } from "./work.js";
 
 const MOST_CELLS = 2000;
 const MOST_ON_AN_AXIS = 100;
@@ -44,14 +47,14 @@ export const mapTab = (el, desk) => {
   const state = { points: new Map(), told: null, scenario: null, stop: null, took: 0 };
   const asked = () => {
     const [x, y] = axes.map((axis) => axis.asked());
-    if (x.field.name === y.field.name) throw new FieldError("parameter up", wordsOf(y.field), "another than the one across");
+    if (x.field.name === y.field.name) throw notAllowed("parameter up", wordsOf(y.field), "another than the one across");
     const told = {
       x, y,
       duration: quantity("time of a point", general.seconds.input.value, SECONDS, desk.facts.units),
       repeats: whole("starts of a point", general.repeats.input.value, 1, MOST_REPEATS),
     };
     const runs = x.values.length * y.values.length * told.repeats;
-    if (runs > MOST_CELLS) throw new FieldError("points up", `${runs} runs in all`, `such that there are ${MOST_CELLS} runs at most`);
+    if (runs > MOST_CELLS) throw notAllowed("points up", `${runs} runs in all`, `such that there are ${MOST_CELLS} runs at most`);
     return told;
   };
   const page = layout(el, axes, Object.values(general), shown, fault.line, {
@@ -159,9 +162,9 @@ const axisOf = (way, which, desk) => {
     asked() {
       const field = fieldOf(parameter.input.value);
       const [low, high] = [from, to].map((each) => quantity(each.name, each.input.value, field, desk.facts.units));
-      if (!(high > low)) throw new FieldError(to.name, to.input.value, `above ${from.input.value}, where the map begins`);
+      if (!(high > low)) throw notAllowed(to.name, to.input.value, `above ${from.input.value}, where the map begins`);
       const even = spacing.input.value === "even";
-      if (!even && !(low > 0)) throw new FieldError(from.name, from.input.value, "above 0 where points are spaced by factors");
+      if (!even && !(low > 0)) throw notAllowed(from.name, from.input.value, "above 0 where points are spaced by factors");
       return { field, values: valuesOf(low, high, whole(points.name, points.input.value, 2, MOST_ON_AN_AXIS), even) };
     },
   };

@@ -1,6 +1,6 @@
 // Curves to lay over the one that is computed: a store's, and measured ones of a file.
+import { pretty } from "../app/quantity.js";
 import { read } from "../charts/plot.js";
-import { pretty } from "./form.js";
 
 const DEGREE = Math.PI / 180;
 const MOST_CURVES = 60;

@@ -65,14 +65,5 @@ export const oncePerPicture = (draw) => {
   };
 };
 
-/** Let the browser save text as a file. */
-export const saveText = (name, text, type) => {
-  const address = URL.createObjectURL(new Blob([text], { type }));
-  const link = document.createElement("a");
-  Object.assign(link, { href: address, download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
-};
-
 /** A name that files may have. */
 export const fileName = (text) => text.replace(/[^\p{L}\p{N}_-]+/gu, "-").slice(0, 60) || "lab";

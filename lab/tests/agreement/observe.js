@@ -9,9 +9,9 @@ const doubles = (text) => {
 };
 
 const { runs, points } = JSON.parse(readFileSync(0, "utf8"));
-const observations = runs.map(({ scenario, channels, diverged, size }) => {
+const observations = runs.map(({ scenario, channels, diverged }) => {
   const decoded = Object.fromEntries(Object.entries(channels).map(([name, text]) => [name, doubles(text)]));
-  return observe(scenario, { channels: decoded, diverged }, size);
+  return observe(scenario, { channels: decoded, diverged });
 });
 // Numbers that JSON cannot hold go as words.
 const worded = (_, value) => (typeof value === "number" && !Number.isFinite(value) ? String(value) : value);
