@@ -13,7 +13,7 @@ export function layers(stage, scenes, desk) {
   const apply = () => {
     for (const scene of scenes) {
       scene.view.setLayers(on);
-      scene.view.setExaggeration?.(factor);
+      scene.view.setExaggeration(factor);
     }
     desk.tell("theme");
     for (const scene of scenes) scene.repaint();
@@ -31,7 +31,7 @@ export function layers(stage, scenes, desk) {
       apply();
     });
   const from = choice("Seen", VIEWS, "default", (name) => {
-    for (const scene of scenes) scene.view.look?.(name);
+    for (const scene of scenes) scene.view.look(name);
     for (const scene of scenes) scene.repaint();
   });
   const kick = button("Kick", () => desk.push(desk.selected, { velocity: [0, 0.15, 0], spin: 0 }),

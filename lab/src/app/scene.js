@@ -55,7 +55,7 @@ export class Scene {
 
   /** Draw once more what is shown: a theme, a layer or the viewpoint is another. */
   repaint() {
-    if (this.drawn) this.view.show(this.drawn);
+    this.view.redraw();
   }
 
   look(live) {

@@ -5,7 +5,8 @@ const DIAGONAL = [[1, 1], [1, -1]];
 
 /**
  * @typedef {{nNodes: number, rest: Float64Array, axial: number, lineStart: Int32Array, lineNodes: Int32Array,
- *   cells: Int32Array, nCells: number, columns: number, rows: number}} Lattice `rest` is [node][x, y] about the centroid
+ *   cells: Int32Array, nCells: number, columns: number, rows: number, squares: Int32Array}} Lattice `squares` are [node]
+ *   [column, row]; `rest` is [node][x, y] about the centroid
  *   in pitches; lines are chains of neighbours, the first `axial` of them along the grid; cells list corners 00 10 01 11
  */
 
@@ -46,7 +47,7 @@ export function lattice({ columns, rows, inside }) {
     }
   return {
     nNodes: squares.length, rest: restOf(squares), axial: axial.length, lineStart, lineNodes: Int32Array.from(lines.flat()),
-    cells: Int32Array.from(cells), nCells: cells.length / 4, columns, rows,
+    cells: Int32Array.from(cells), nCells: cells.length / 4, columns, rows, squares: Int32Array.from(squares.flat()),
   };
 }
 
