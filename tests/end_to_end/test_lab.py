@@ -14,7 +14,7 @@ import pytest
 
 from plategait.lab import page as lab_page
 from plategait.lab.page import LARGEST_PAGE, PLACES, SHIPPED
-from plategait.lab.payload import payload
+from plategait.lab.payload import named
 from plategait.lab.scenario_json import MOST_PIXELS, MOST_SAMPLES, plain_scenario
 from plategait.model.fragment import read_fragment
 from plategait.model.lattice import Lattice
@@ -130,7 +130,7 @@ def test_a_long_run_is_thinned_and_says_so(tmp_path, files):
 
     long = simulate(CHEESE.replace(duration=8.0), snapshot_interval=0.002)
     write_dataset(long, tmp_path / "long.nc")
-    told = payload(str(tmp_path / "long.nc"), None)
+    told = named(str(tmp_path / "long.nc")).payload()
     recording = long.recordings[0]
     assert len(json.dumps(told)) < 0.5 * LARGEST_PAGE
     assert [re.sub(r"\d+", "n", note) for note in told["notes"]] == [
@@ -166,7 +166,7 @@ def test_a_large_grid_is_shown_coarser(files, tmp_path, monkeypatch):
     from plategait.lab import store_payload
 
     monkeypatch.setattr(store_payload, "MOST_POINTS", 3)
-    told = payload(str(files / "store.zarr"), None)
+    told = named(str(files / "store.zarr")).payload()
     assert len(told["points"]) == 2
     assert told["notes"] == ["2 of the store's 4 points are shown"]
 
@@ -219,7 +219,7 @@ def test_poses_of_the_tracker_are_read(tmp_path):
     film(run, tmp_path / "clip.mp4", usual_camera(CHEESE, 480, 270), 30.0, seconds=0.35)
     seen = track(tmp_path / "clip.mp4")
     write_poses(seen, tmp_path / "poses.csv")
-    told = payload(str(tmp_path / "poses.csv"), CHEESE)
+    told = named(str(tmp_path / "poses.csv")).payload(CHEESE)
     assert told["kind"] == "poses"
     assert told["sure"] == seen.sure.tolist()
     known = np.isfinite(seen.angle)
@@ -235,6 +235,40 @@ def test_a_steering_comes_with_its_goals(made):
     ]
     assert told["ticks"]["x"] == [0, 0.001, 0.001, 0.001]
     assert told["ticks"]["seen_x"] == [None, 0.001, 0.001, 0.001]
+
+
+WAY = {
+    "format": "steering", "scenario": write_scenario(CHEESE), "goals": [], "path": None,
+    "motions": [{"angle": 0.1, "samples": None}], "told": [{"time": 0.1, "motion": 0, "within": 0.05}],
+    "ticks": {name: [0.0, 0.1] for name in ("time", "x", "y", "angle", "goal_x", "goal_y", "goal_angle")},
+}  # fmt: skip
+
+
+def test_a_whole_steering_comes_with_what_the_plate_was_told(made, files):
+    (files / "way.json").write_text(json.dumps(WAY))
+    told = made("way.json")
+    assert Scenario(**told["scenario"]) == CHEESE
+    assert told["told"] == WAY["told"]
+    assert told["motions"][0]["angle"] == 0.1
+    assert told["motions"][0]["frequency"] == 24
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        {"format": "menu"}, {"scenario": "["}, {"scenario": "name = 3"}, {"motions": [{}]}, {"motions": 3},
+        {"motions": [{"samples": "/etc/passwd"}]}, {"told": [{"time": 0, "motion": 1, "within": 1}]},
+        {"told": [{"time": 0, "motion": 0, "within": 0}]}, {"told": [{"time": "x", "motion": 0, "within": 1}]},
+        {"ticks": {}}, {"ticks": {"time": [0.0]}}, {"ticks": WAY["ticks"] | {"x": [1.0]}}, {"path": [[1]]},
+        {"scenario": WAY["scenario"].replace("[motion]", '[motion]\nsamples = "/etc/passwd"')},
+    ],
+    ids=str,
+)  # fmt: skip
+def test_a_damaged_steering_is_refused(damage, tmp_path, called):
+    (tmp_path / "way.json").write_text(json.dumps(WAY | damage))
+    done = called("lab", "way.json", "--no-open", cwd=tmp_path, check=2)
+    assert len(done.stderr.splitlines()) == 1
+    assert not (tmp_path / "lab.html").exists()
 
 
 def test_kinds_are_told_by_what_is_in_files_and_not_by_names(files, tmp_path, called):
@@ -284,7 +318,7 @@ REFUSED = [
     (("bad.nc",), "bad.nc … a run that plategait wrote"),
     (("half.nc",), "half.nc … a run that plategait wrote"),
     (("other.nc",), "other.nc, a data file of another kind"),
-    (("peak.csv",), "peak.csv, a file of another kind … a steering (.csv)"),
+    (("peak.csv",), "peak.csv, a file of another kind … a steering (.csv, .json)"),
     (("page.html",), "page.html, a file of another kind"),
     (("empty",), "empty, a file of another kind"),
     (("plan.toml",), "scenario … a table of parameters"),

@@ -131,6 +131,7 @@ MODES = [
     Mode(("moves", "--plot", "q.png"), typed(beside="six.json"), ()),
     Mode(("steer", "--to", "0 mm, 0 mm"), STEER, ("--goals", "--height", "--rate")),
     Mode(("steer", "--to", "0 mm, 0 mm", "--trajectory", "u.csv"), typed(rate="2 kHz", trajectory="t.mcap"), ()),
+    Mode(("steer", "--to", "0 mm, 0 mm", "--out", "p.csv"), typed(out="o.json"), ()),
     Mode(("steer", "--goals", "goals.csv"), typed(goals="other.csv"), ("--to",)),
     Mode(("steer", "--path", "figure of eight"),
          but(STEER, "--to", "--hold", "--method") | typed(path="L", height="30 mm"), ("--goals", "--hold", "--method")),

@@ -11,6 +11,10 @@ import numpy as np
 import pytest
 
 from plategait.control import film, menu, menu_file
+from plategait.lab.payload import named
+from plategait.model.course import course_of, gone_over, kinematics
+from plategait.model.motion import PlateMotion
+from plategait.model.scenario import Scenario
 
 QUICK = ("--generations", "0", "--menu", "menu.json", "--json")
 
@@ -87,13 +91,34 @@ def test_the_camera_may_be_pixels_that_a_tracker_reads(called, folder):
 
 def test_a_path_is_followed_as_far_as_the_time_allows(called, folder):
     done = called("steer", *QUICK, "--path", "figure-of-eight", "--timeout", "1.5 s", "--plot", "way.png",
-                  cwd=folder, check=1)  # fmt: skip
+                  "--out", "way.json", "--trajectory", "plate.csv", cwd=folder, check=1)  # fmt: skip
     path = json.loads(done.stdout)["path"]
     # By hand: 3.05 heights for one that is half as wide as it is high.
     assert path["length_mm"] == pytest.approx(122, abs=1)
     assert path["status"] == "not within the time"
     assert 0 < path["coverage"] < 0.9
     assert path["rms_mm"] <= path["greatest_mm"]
+    the_plate_did_what_the_file_tells(folder)
+
+
+def the_plate_did_what_the_file_tells(folder: Path) -> None:
+    """What way.json says that the plate was told moves it as plate.csv says that it moved."""
+    shown = named(str(folder / "way.json"))
+    assert shown.own_scenario
+    way = shown.payload()
+    course = course_of(Scenario(**way["scenario"]).motion)
+    motions = [PlateMotion(**motion) for motion in way["motions"]]
+    plate = np.genfromtxt(folder / "plate.csv", delimiter=",", names=True)
+    assert len(way["told"]) > 5
+    for change, following in zip(way["told"], [*way["told"][1:], {"time": way["ticks"]["time"][-1]}], strict=True):
+        course = gone_over(course, motions[change["motion"]], change["time"], change["within"])
+        now = (plate["time_s"] >= change["time"]) & (plate["time_s"] < following["time"])
+        position = kinematics(course, plate["time_s"][now]).position
+        # As many digits as the table has.
+        np.testing.assert_allclose(1e3 * position[0], plate["x_mm"][now], atol=1e-5)
+        np.testing.assert_allclose(np.degrees(position[3]), plate["rx_deg"][now], atol=1e-5)
+    assert len(way["path"]) > 50
+    assert way["ticks"]["x"][0] == 0
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ What = Annotated[
     str,
     typer.Argument(
         metavar="[WHAT]",
-        help="A preset, a scenario or an object (.toml), a run (.nc), a store (.zarr), poses or a steering (.csv).",
+        help="A preset, a scenario or an object (.toml), a run (.nc), a store (.zarr), poses or a steering.",
     ),
 ]
 
@@ -40,16 +40,16 @@ def lab(
     check_writable(out, PAGES, "--out")
     from plategait.lab.opening import open_page
     from plategait.lab.page import page
-    from plategait.lab.payload import WITH_SCENARIO, kind_of, payload
+    from plategait.lab.payload import named
 
-    kind = kind_of(what)
-    if kind in WITH_SCENARIO:
-        take_only(context, ["what", "out", "no_open"], f"for a {kind}, which has a scenario of its own",
+    shown = named(what)
+    if shown.own_scenario:
+        take_only(context, ["what", "out", "no_open"], f"for a {shown.kind}, which has a scenario of its own",
                   f"plategait lab {what}")  # fmt: skip
-    if kind == "scenario":
+    if shown.kind == "scenario":
         refuse(context, ["scenario"], "where WHAT is one itself", f"plategait lab {scenario}")
-    base = what if kind == "scenario" else scenario or "cheese"
-    html = page(payload(what, None if kind in WITH_SCENARIO else laid_over.over(base, frequency))).encode()
+    base = what if shown.kind == "scenario" else scenario or "cheese"
+    html = page(shown.payload(None if shown.own_scenario else laid_over.over(base, frequency))).encode()
     write_whole(html, out, PAGES, "--out")
     opened = "" if no_open or open_page(out) else "; no browser to open it in"
-    report.print_notes([f"{out}: {kind} {Path(what).name}, {len(html) / 1e6:.2f} MB{opened}"])
+    report.print_notes([f"{out}: {shown.kind} {Path(what).name}, {len(html) / 1e6:.2f} MB{opened}"])

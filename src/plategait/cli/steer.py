@@ -118,7 +118,7 @@ def steer(
             told = steering_told(done, goals) | {
                 "hold_s": hold, "within": {"mm": 1e3 * within[0], "deg": math.degrees(within[1])}, "timeout_s": timeout
             }  # fmt: skip
-    files.write(done, goals, true, within)
+    files.write(done, goals, true, machine, within)
     files.write_film(shots, done, true)
     files.write_trajectory(done, true, machine)
     numbers = place_told(true) | told | {

@@ -27,7 +27,10 @@ class SteeringFiles:
 
     out: Annotated[
         Path | None,
-        typer.Option("--out", help="Write where the object was, was seen and was to go, tick by tick: .csv."),
+        typer.Option(
+            "--out",
+            help="Write where the object was, was seen and was to go, tick by tick: .csv; or all of it: .json.",
+        ),
     ] = None
     plot: options.Plot = None
     film: Annotated[Path | None, typer.Option("--film", help="Write a film in real time: .mp4.")] = None
@@ -48,7 +51,7 @@ class SteeringFiles:
         elif self.trajectory.suffix.lower() in bag.SUFFIXES:
             bag.check_bag(self.trajectory, "--trajectory")
         check_outputs(
-            (self.out, (".csv",), "--out"), (self.plot, PICTURES, "--plot"), (self.film, (".mp4",), "--film"),
+            (self.out, (".csv", ".json"), "--out"), (self.plot, PICTURES, "--plot"), (self.film, (".mp4",), "--film"),
             (self.trajectory, (*trajectory_file.SUFFIXES, *bag.SUFFIXES), "--trajectory"),
         )  # fmt: skip
         FREQUENCY.read(self.rate, "--rate")
@@ -88,14 +91,19 @@ class SteeringFiles:
         else:
             trajectory_file.write_trajectory(made, self.trajectory, "--trajectory")
 
-    def write(self, done: Steering | Following, goals: list[Goal], true: Scenario, within: tuple[float, float]) -> None:
+    def write(
+        self, done: Steering | Following, goals: list[Goal], true: Scenario, machine: str, within: tuple[float, float]
+    ) -> None:
         """Write them all."""
         from plategait.control.figures import plot_following, plot_steering
         from plategait.control.report import write_way
         from plategait.control.steer import Steering
+        from plategait.control.way_file import WAYS, write_way_whole
         from plategait.plots.style import save
 
-        if self.out:
+        if self.out and self.out.suffix.lower() in WAYS:
+            write_way_whole(done, goals, true, machine, self.out, "--out")
+        elif self.out:
             write_way(done if isinstance(done, Steering) else done.way, self.out, "--out")
         if self.plot and isinstance(done, Steering):
             save(plot_steering(done, goals, true, within, true.name), self.plot)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
@@ -16,23 +17,69 @@ from plategait.lab.object_payload import object_payload
 from plategait.lab.poses_payload import poses_payload
 from plategait.lab.run_payload import run_payload
 from plategait.lab.scenario_json import plain_scenario
-from plategait.lab.steering_payload import steering_payload
+from plategait.lab.steering_payload import table_payload, whole_payload
 from plategait.lab.store_payload import store_payload
 from plategait.model.presets import PRESETS, as_scenario
 from plategait.model.scenario import Scenario
 
 Kind = Literal["scenario", "run", "store", "poses", "object", "steering"]
-WITH_SCENARIO: tuple[Kind, ...] = ("run", "store")
-"""Kinds that bring their own scenario, which nothing is laid over."""
 FIELD = "WHAT"
-ALLOWED = "a preset, a scenario or an object (.toml), a run (.nc), a store (.zarr), poses or a steering (.csv)"
+ALLOWED = "a preset, a scenario or an object (.toml), a run (.nc), a store (.zarr), poses or a steering (.csv, .json)"
 _HINT = "plategait lab cheese"
-# Beginnings of HDF5 files, and as much of a file as tells which it is.
+# Beginning of HDF5 files.
 _HDF5 = b"\x89HDF\r\n\x1a\n"
-_LARGEST_RUN = 4 << 30
 
 
-def kind_of(what: str) -> Kind:
+@dataclass(frozen=True)
+class Named:
+    """What a user named.
+
+    Attributes
+    ----------
+    kind : str
+    name : str
+        Of the preset, or the path.
+    own_scenario : bool
+        Whether it brings its scenario, which nothing is laid over.
+    """
+
+    kind: Kind
+    name: str
+    own_scenario: bool = False
+
+    def payload(self, scenario: Scenario | None = None) -> dict[str, Any]:
+        """Plain data of it.
+
+        Parameters
+        ----------
+        scenario : Scenario, optional
+            What is shown itself, or the object that poses, a steering or an estimate belong to; None for what brings
+            its own.
+
+        Raises
+        ------
+        InputError
+            When it cannot be read; names `WHAT`.
+        """
+        path = Path(self.name)
+        if self.own_scenario:
+            read: dict[str, Callable[[Path], dict[str, Any]]] = {
+                "run": run_payload, "store": store_payload, "steering": whole_payload,
+            }  # fmt: skip
+            return {"kind": self.kind, "name": path.name} | read[self.kind](path)
+        assert scenario is not None
+        told, notes = plain_scenario(scenario)
+        if self.kind == "scenario":
+            return {"kind": self.kind, "name": scenario.name, "scenario": told, "notes": notes}
+        made = (
+            object_payload(path, scenario)
+            if self.kind == "object"
+            else {"scenario": told} | (poses_payload if self.kind == "poses" else table_payload)(path)
+        )
+        return {"kind": self.kind, "name": path.name} | made | {"notes": [*notes, *made["notes"]]}
+
+
+def named(what: str) -> Named:
     """What a name or path stands for, by what is there and what is in it.
 
     Raises
@@ -42,56 +89,28 @@ def kind_of(what: str) -> Kind:
     """
     path = Path(what)
     if what in PRESETS:
-        return "scenario"
+        return Named("scenario", what)
     if os.path.isdir(path):
-        return "store"
+        return Named("store", what, own_scenario=True)
     if not os.path.lexists(path):
         as_scenario(what, FIELD)  # says which preset may be meant
-    if _begins_as_hdf5(path):
-        return "run"
+    beginning = _beginning(path)
+    if beginning.startswith(_HDF5):
+        return Named("run", what, own_scenario=True)
     if path.suffix.lower() == ".zarr":
-        return "store"
-    return _kind_of_text(path)
+        return Named("store", what, own_scenario=True)
+    if beginning.lstrip().startswith(b"{"):
+        return Named("steering", what, own_scenario=True)
+    return Named(_kind_of_text(path), what)
 
 
-def payload(what: str, scenario: Scenario | None) -> dict[str, Any]:
-    """Plain data of what a user named.
-
-    Parameters
-    ----------
-    what : str
-        A preset, or a path (`kind_of`).
-    scenario : Scenario, optional
-        What is shown itself, or the object that poses, a steering or an estimate belong to; None for a run and a store,
-        which have their own.
-
-    Raises
-    ------
-    InputError
-        When it cannot be read; names `WHAT`.
-    """
-    kind, path = kind_of(what), Path(what)
-    if kind in WITH_SCENARIO:
-        read = run_payload if kind == "run" else store_payload
-        return {"kind": kind, "name": path.name} | read(path)
-    assert scenario is not None
-    told, notes = plain_scenario(scenario)
-    if kind == "scenario":
-        return {"kind": kind, "name": scenario.name, "scenario": told, "notes": notes}
-    makers: dict[str, Callable[[Path, Scenario], dict[str, Any]]] = {
-        "poses": poses_payload, "object": object_payload, "steering": steering_payload,
-    }  # fmt: skip
-    made = {"kind": kind, "name": path.name, "scenario": told} | makers[kind](path, scenario)
-    return made | {"notes": [*notes, *made["notes"]]}
-
-
-def _begins_as_hdf5(path: Path) -> bool:
+def _beginning(path: Path) -> bytes:
     try:
-        # As a plain file of any size that is no pipe or device; the beginning alone is read.
+        # As a plain file of any size, which a pipe or device is not; the beginning alone is read.
         if not os.path.isfile(path):
             plain_bytes(path, 0)
         with open(path, "rb") as file:
-            return file.read(len(_HDF5)) == _HDF5
+            return file.read(64)
     except (UnreadableError, OSError, ValueError) as error:
         raise InputError(FIELD, f"{path} ({getattr(error, 'strerror', None) or error})", ALLOWED, _HINT) from None
 

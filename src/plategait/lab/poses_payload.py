@@ -1,4 +1,4 @@
-"""Tracked poses (`plategait track --out poses.csv`, or any table of them), beside the object that they may be of."""
+"""Tracked poses (`plategait track --out poses.csv`, or any table of them)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ import numpy as np
 from plategait.files.headings import Column
 from plategait.files.table import read_table
 from plategait.lab.lean import every, lean
-from plategait.model.scenario import Scenario
 
 MOST_FRAMES = 6_000
 _COLUMNS = {
@@ -19,7 +18,7 @@ _COLUMNS = {
 }  # fmt: skip
 
 
-def poses_payload(path: Path, scenario: Scenario) -> dict[str, Any]:
+def poses_payload(path: Path) -> dict[str, Any]:
     """Poses in SI, none where the object was not seen, and whether the tracker was sure of each.
 
     Raises
@@ -27,7 +26,6 @@ def poses_payload(path: Path, scenario: Scenario) -> dict[str, Any]:
     InputError
         When the table cannot be read; names the line.
     """
-    del scenario
     table = read_table(path, _COLUMNS, field="WHAT", example="time_s,x_mm,y_mm,angle_deg", rising="time")
     kept = every(len(table), MOST_FRAMES)
     seen = np.isfinite(table["angle"])

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import json
-import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,8 +13,7 @@ from plategait.arrays import Array
 from plategait.engine.channels import CHANNELS, Channel
 from plategait.errors import InputError
 from plategait.lab.lean import every, lean, stride
-from plategait.lab.scenario_json import plain_scenario
-from plategait.model.scenario import Scenario
+from plategait.lab.scenario_json import plain_scenario, told_scenario
 
 if TYPE_CHECKING:
     import xarray
@@ -51,7 +49,7 @@ def _told(path: Path, data: xarray.Dataset) -> dict[str, Any]:
         raise InputError("WHAT", f"{path}, a data file of another kind", _ALLOWED, _HINT)
     if max(data.sizes.values()) > MOST_SAMPLES:
         raise InputError("WHAT", f"{path}, of {max(data.sizes.values())} samples", _ALLOWED, _HINT)
-    scenario, notes = plain_scenario(Scenario(**tomllib.loads(str(data.attrs["scenario"]))))
+    scenario, notes = plain_scenario(told_scenario(str(data.attrs["scenario"])))
     run = data.isel(run=0)
     if data.sizes["run"] > 1:
         notes.append(f"the first of {data.sizes['run']} runs is shown")

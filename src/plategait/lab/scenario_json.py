@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import tomllib
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.model.base import Model
 from plategait.model.motion import AXES, Samples
 from plategait.model.outline import Mask, occupied_squares
+from plategait.model.plain import plain_model
 from plategait.model.scenario import Scenario
 
 # Pixels of a picture and samples of a trajectory that travel as they are: some hundred kilobytes each.
@@ -22,7 +23,7 @@ def plain_scenario(scenario: Scenario) -> tuple[dict[str, Any], list[str]]:
 
     Numbers are those of the model, bit for bit. A mask's picture comes as `rows`, and no name of a file goes along.
     """
-    plain = _plain(scenario)
+    plain = plain_model(scenario)
     notes: list[str] = []
     if isinstance(scenario.sheet.outline, Mask):
         plain["sheet"]["outline"], note = _rows(scenario.sheet.outline, scenario.sheet.pitch)
@@ -32,6 +33,20 @@ def plain_scenario(scenario: Scenario) -> tuple[dict[str, Any], list[str]]:
         plain["motion"]["samples"], every = _thinned(samples)
         notes.append(f"of the plate's trajectory one sample in {every} is shown, of {len(samples.time)}")
     return plain, notes
+
+
+def told_scenario(text: str) -> Scenario:
+    """Scenario of the text that files of ours hold; a trajectory is in it, and no other file is read for one.
+
+    Raises
+    ------
+    InputError, ValueError
+        When it is none.
+    """
+    told = tomllib.loads(text)
+    if isinstance(told.get("motion"), dict) and isinstance(told["motion"].get("samples"), str):
+        raise ValueError("a trajectory in another file")
+    return Scenario(**told)
 
 
 def flat(plain: dict[str, Any], prefix: str = "") -> dict[str, Any]:
@@ -46,16 +61,6 @@ def flat(plain: dict[str, Any], prefix: str = "") -> dict[str, Any]:
         else:
             found[dotted] = value
     return found
-
-
-def _plain(value: object) -> Any:
-    if isinstance(value, Model):
-        names = type(value).model_fields
-        # The name of a picture's file is nobody's business but the user's.
-        return {name: None if name == "image" else _plain(getattr(value, name)) for name in names}
-    if isinstance(value, tuple):
-        return [_plain(element) for element in value]
-    return value
 
 
 def _rows(mask: Mask, pitch: float) -> tuple[dict[str, Any], list[str]]:
