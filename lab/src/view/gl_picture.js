@@ -12,20 +12,22 @@ import { SheetMesh } from "./sheet_mesh.js";
 import { Trail } from "./trail.js";
 
 /** How much of a leg's colour the sheet has while it touches, and while it is lifted. */
-const TOUCHING = 0.82, LIFTED = 0.32;
+const TOUCHING = 0.75, LIFTED = 0.25;
 const MOST_PIXELS_PER_PX = 2;
+/** Width and height, px, up to which a picture that stands still is drawn finer by the processor. */
+const MOST_STILL = 1600;
 
-/** What a canvas gives for drawing, or null where it cannot. */
+/** What a canvas gives for drawing, or null where it cannot: edges are smoothed where a graphics card does it. */
 export const contextOf = (canvas) =>
-  canvas.getContext("webgl2", { alpha: false, antialias: true, stencil: false, powerPreference: "default" });
+  canvas.getContext("webgl2", { alpha: false, antialias: !drawnByProcessor(), stencil: false, powerPreference: "default" });
 
 export class GlPicture {
   /** @param {HTMLCanvasElement} canvas @param {WebGL2RenderingContext} gl @param {import("./camera.js").ViewCamera} view */
   constructor(canvas, gl, view) {
     this.view = view;
-    this.renderer = new WebGLRenderer({ canvas, context: gl, alpha: false, antialias: true, stencil: false });
+    this.renderer = new WebGLRenderer({ canvas, context: gl, alpha: false, stencil: false });
     this.renderer.sortObjects = true;
-    this.mostPixels = onProcessor(gl) ? 1 : MOST_PIXELS_PER_PX;
+    this.mostPixels = drawnByProcessor() ? 1 : MOST_PIXELS_PER_PX;
     this.scene = new Scene();
     this.shared = sharedUniforms();
     this.world = new Group();
@@ -54,8 +56,8 @@ export class GlPicture {
     this.sheet = new SheetMesh(surface, shared);
     this.marks = new Marks(scenario, shown.nNodes, shared);
     this.trail = new Trail(shown, shared);
-    this.goal = new Contour(surface, shared, { width: 2.5, dash: Math.max(...surface.size) / 16 });
-    this.ghost = new Contour(surface, shared, { width: 2 });
+    this.goal = new Contour(surface, shared, { width: 4.5, dash: Math.max(...surface.size) / 14 });
+    this.ghost = new Contour(surface, shared, { width: 4 });
     this.cloud = new Cloud(scenario, shown.lattice, shared);
     this.arrow = new PushArrow(surface.size, shared);
     this.rulers = new Rulers(this.plate.shown, this.plate.pitch);
@@ -70,24 +72,38 @@ export class GlPicture {
     const [red, green, blue] = colours.panel;
     this.renderer.setClearColor((Math.round(255 * red) << 16) | (Math.round(255 * green) << 8) | Math.round(255 * blue), 1);
     this.parts.forEach((part) => part.recolour?.(colours));
-    this.goal?.colour(colours.failed);
-    this.ghost?.colour(colours.dark ? colours.paper : colours.ink);
+    this.goal?.colour(colours.failed, colours.paper);
+    this.ghost?.colour(colours.accent, colours.paper);
   }
 
   /** @param {number} width CSS px @param {number} height @param {number} pixels of the screen over CSS px */
   resize(width, height, pixels) {
-    this.ratio = Math.min(pixels, this.mostPixels);
-    this.renderer.setPixelRatio(this.ratio);
-    this.renderer.setSize(width, height, false);
-    this.shared.uViewport.value.set(this.renderer.domElement.width, this.renderer.domElement.height);
     this.size = [width, height];
+    this.moving = Math.min(pixels, this.mostPixels);
+    this.setRatio(this.moving);
+  }
+
+  setRatio(ratio) {
+    const { renderer, shared } = this;
+    this.ratio = ratio;
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(...this.size, false);
+    shared.uViewport.value.set(renderer.domElement.width, renderer.domElement.height);
+    shared.uRatio.value = ratio;
+  }
+
+  /** Where the processor draws, moving pictures have rough edges: one that stands still for a while is drawn finer. */
+  get finer() {
+    return drawnByProcessor() && this.ratio === this.moving && Math.max(...this.size) * this.ratio < MOST_STILL;
   }
 
   /**
    * @param {object} asked what of it is wanted: layers, exaggerated, goal, ghost, cloud, push
+   * @param {boolean} [still] whether it will stand for a while
    */
-  draw(asked) {
-    const { shown, view, renderer } = this;
+  draw(asked, still = false) {
+    const { shown, view, renderer } = this, ratio = still && this.finer ? 2 * this.moving : this.moving;
+    if (ratio !== this.ratio) this.setRatio(ratio);
     this.placeWorld(asked.exaggerated);
     this.sheet.group.visible = this.marks.group.visible = shown.there;
     if (shown.there) this.updateSheet(asked);
@@ -118,11 +134,17 @@ export class GlPicture {
     if (layers.bending) said.most = shown.bent(layers.bending, sheet.bent);
     const on = layers.legs && !layers.bending;
     sheet.showLegs(on ? (touching.left ? TOUCHING : LIFTED) : 0, on ? (touching.right ? TOUCHING : LIFTED) : 0);
-    sheet.update(frame);
+    sheet.update(frame, this.leastSlope(exaggerated));
     this.marks.group.visible = layers.contact || layers.forces;
     if (this.marks.group.visible)
       this.marks.update(shown.nodes, shown.onPlate, shown.hasForces ? shown.forces : null, frame, layers);
     this.trail.update();
+  }
+
+  /** From above, cosine of the slopes whose lower faces come to be seen: the lower the eye, the flatter they may be. */
+  leastSlope(exaggerated) {
+    const seen = this.view.elevation - 0.3;
+    return seen > 0 && exaggerated === 1 ? Math.cos(seen) : 2;
   }
 
   /** The plate's pose, and how the world is drawn: heights exaggerated, or the plate at rest and the world moving. */
@@ -153,9 +175,14 @@ export class GlPicture {
   }
 }
 
-/** Whether a processor draws, and no graphics card: then every pixel counts. */
-const onProcessor = (gl) => {
-  if (navigator.userAgent.includes("Firefox")) return /llvmpipe|software/i.test(String(gl.getParameter(gl.RENDERER)));
-  const more = gl.getExtension("WEBGL_debug_renderer_info");
-  return more !== null && /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(more.UNMASKED_RENDERER_WEBGL)));
+/** Whether the processor draws, and no graphics card: then every pixel counts. */
+const drawnByProcessor = () => {
+  if (byProcessor === null) {
+    const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
+    const firefox = navigator.userAgent.includes("Firefox"); // which warns of asking for more
+    const name = firefox ? gl?.RENDERER : gl?.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL;
+    byProcessor = /swiftshader|llvmpipe|software|basic render/i.test(name ? String(gl.getParameter(name)) : "");
+  }
+  return byProcessor;
 };
+let byProcessor = null;

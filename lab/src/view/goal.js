@@ -30,8 +30,8 @@ export class Contour {
     return true;
   }
 
-  colour(colour) {
-    this.lines.colour(colour);
+  colour(colour, edge) {
+    this.lines.colour(colour, edge);
   }
 
   dispose() {

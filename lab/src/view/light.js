@@ -4,10 +4,13 @@ import { Matrix3, Vector2, Vector3 } from "three";
 /** Towards the light, world. */
 export const LIGHT = new Vector3(0.5, -0.42, 0.85).normalize();
 
-/** What all materials share: the light, how normals turn from the data's world to the drawn one, the picture's size, px. */
+/**
+ * What all materials share: the light, how normals turn from the data's world to the drawn one, the picture's size, px,
+ * and how many of them a CSS px is.
+ */
 export const sharedUniforms = () => ({
   uLight: { value: LIGHT }, uTurn: { value: new Matrix3() }, uViewport: { value: new Vector2(1, 1) },
-  uEye: { value: new Vector3() },
+  uRatio: { value: 1 }, uEye: { value: new Vector3() },
 });
 
 /** GLSL for vertices: halfway between the light and the eye; every lit surface hands it on with its normal. */
@@ -20,12 +23,15 @@ export const HALFWAY = /* glsl */ `
   }
 `;
 
-/** GLSL for fragments: a colour, lit. Ambient, diffuse and a little shine, in the page's own colours. */
+/** GLSL: how light a matt surface is, ambient and diffuse. @param {string} normal its name there */
+export const MATT = (normal) => `(0.56 + 0.06 * ${normal}.z + 0.46 * max(dot(${normal}, uLight), 0.0))`;
+
+/** GLSL for fragments: how light a surface is, matt and in its shine. */
 export const LIT = /* glsl */ `
   uniform vec3 uLight;
   varying vec3 vNormal, vHalfway;
   float matt(vec3 normal) {
-    return 0.56 + 0.06 * normal.z + 0.46 * max(dot(normal, uLight), 0.0);
+    return ${MATT("normal")};
   }
   float shine(vec3 normal) {
     float s = max(dot(normal, vHalfway), 0.0);

@@ -1,23 +1,23 @@
-// Lines of one width on the screen, whole or dashed, on the plate: a quad for each piece.
+// Lines of one width on the screen, whole or dashed, on the plate and over what lies on it: a quad for each piece.
 import { BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
 
 const VERTEX = /* glsl */ `
   uniform vec2 uViewport;
-  uniform float uWidth;
+  uniform float uWidth, uRatio;
   attribute vec3 start, end;
   attribute vec2 along;
   varying float vAlong;
   varying float vAcross;
   void main() {
-    mat4 whole = projectionMatrix * viewMatrix * modelMatrix;
-    vec4 a = whole * vec4(start, 1.0), b = whole * vec4(end, 1.0);
+    vec4 a = projectionMatrix * (modelViewMatrix * vec4(start, 1.0));
+    vec4 b = projectionMatrix * (modelViewMatrix * vec4(end, 1.0));
     vec2 way = (b.xy / b.w - a.xy / a.w) * uViewport;
     float far = length(way);
     way = far > 1e-6 ? way / far : vec2(1.0, 0.0);
     vec4 at = position.x > 0.5 ? b : a;
     // A pixel more all around, over which the edge softens; and the ends overlap, so that corners are closed.
-    float half_ = 0.5 * uWidth + 0.75;
-    vec2 shift = vec2(-way.y, way.x) * position.y * half_ + way * (2.0 * position.x - 1.0) * 0.4 * uWidth;
+    float wide = uWidth * uRatio, half_ = 0.5 * wide + 0.75;
+    vec2 shift = vec2(-way.y, way.x) * position.y * half_ + way * (2.0 * position.x - 1.0) * 0.4 * wide;
     at.xy += shift / uViewport * 2.0 * at.w;
     vAlong = mix(along.x, along.y, position.x);
     vAcross = position.y * half_;
@@ -26,17 +26,17 @@ const VERTEX = /* glsl */ `
 `;
 
 const FRAGMENT = /* glsl */ `
-  uniform vec3 uColour;
-  uniform float uWidth, uDash, uAlpha, uFade, uEnd;
+  uniform vec3 uColour, uHalo;
+  uniform float uWidth, uRatio, uDash;
   varying float vAlong, vAcross;
   void main() {
-    float alpha = uAlpha * clamp(0.5 * uWidth + 0.5 - abs(vAcross), 0.0, 1.0);
+    float inwards = 0.5 * uWidth * uRatio + 0.5 - abs(vAcross), alpha = clamp(inwards, 0.0, 1.0);
+    float core = clamp(inwards - uRatio, 0.0, 1.0);
     if (uDash > 0.0) {
       float px = fwidth(vAlong) / uDash + 1e-6;
       alpha *= clamp((0.28 - abs(fract(vAlong / uDash) - 0.5)) / px + 0.5, 0.0, 1.0);
     }
-    if (uFade > 0.0) alpha *= mix(0.15, 1.0, clamp(1.0 - (uEnd - vAlong) / uFade, 0.0, 1.0));
-    gl_FragColor = vec4(uColour, alpha);
+    gl_FragColor = vec4(mix(uHalo, uColour, core), alpha * mix(0.7, 1.0, core));
   }
 `;
 
@@ -44,10 +44,9 @@ export class Lines {
   /**
    * @param {number} most pieces
    * @param {object} shared uniforms
-   * @param {{width?: number, dash?: number, alpha?: number, hidden?: boolean}} [look] width, px; dash, m; whether what is
-   *     in front hides the line
+   * @param {{width?: number, dash?: number}} [look] width, CSS px; dash, m, or 0 for none
    */
-  constructor(most, shared, { width = 2, dash = 0, alpha = 1, hidden = false } = {}) {
+  constructor(most, shared, { width = 4, dash = 0 } = {}) {
     this.most = most;
     this.count = 0;
     this.start = new Float32Array(3 * most);
@@ -60,20 +59,21 @@ export class Lines {
       geometry.setAttribute(name, new InstancedBufferAttribute(this[name], size).setUsage(DynamicDrawUsage));
     geometry.instanceCount = 0;
     this.uniforms = {
-      ...shared, uColour: { value: new Vector3() }, uWidth: { value: width }, uDash: { value: dash },
-      uAlpha: { value: alpha }, uFade: { value: 0 }, uEnd: { value: 0 },
+      ...shared, uColour: { value: new Vector3() }, uHalo: { value: new Vector3() }, uWidth: { value: width }, uDash: { value: dash },
     };
     const material = new ShaderMaterial({
       vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, transparent: true, depthWrite: false,
-      depthTest: hidden,
+      depthTest: false,
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = hidden ? 2 : 5;
+    this.mesh.renderOrder = 5;
   }
 
-  colour(colour) {
+  /** Its colour, and that of a thin edge that sets it off against whatever it lies on. */
+  colour(colour, edge) {
     this.uniforms.uColour.value.fromArray(colour);
+    this.uniforms.uHalo.value.fromArray(edge);
   }
 
   clear() {

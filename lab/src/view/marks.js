@@ -2,7 +2,7 @@
 import { BufferAttribute, DynamicDrawUsage, Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
 
 /** Radius of a disc and length of an arrow over the pitch, at the node's share of the sheet's weight; and the most. */
-const RADIUS = 0.15, MOST_RADIUS = 0.5, LENGTH = 0.55, MOST_LENGTH = 1.9;
+const RADIUS = 0.1, MOST_RADIUS = 0.36, LENGTH = 0.45, MOST_LENGTH = 1.8;
 const LEAST_ARROW = 0.08; // of the pitch; shorter ones are left out
 
 const AT = /* glsl */ `
@@ -38,7 +38,7 @@ const DISC_FRAGMENT = /* glsl */ `
     float alpha = clamp((1.0 - r) / px + 0.5, 0.0, 1.0);
     float inner = clamp((1.0 - r) / px - 0.8, 0.0, 1.0);
     if (alpha <= 0.0) discard;
-    gl_FragColor = vec4(mix(uHalo, uColour, inner), alpha * 0.92);
+    gl_FragColor = vec4(mix(uHalo, uColour, inner), alpha * mix(0.9, 0.78, inner));
   }
 `;
 

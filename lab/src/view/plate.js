@@ -4,13 +4,13 @@ import {
   UnsignedByteType, Vector2, Vector3,
 } from "three";
 import { mix } from "./colours.js";
-import { HALFWAY, LIT } from "./light.js";
+import { HALFWAY, LIT, MATT } from "./light.js";
 import { CELLS } from "./shadow.js";
 
 /** Thickness of the plate and radius of the bar over the plate's width. */
 const SLAB = 0.035, BAR = 0.03;
 /** How far a plate without end is drawn, over the sheet's size; and where the bar ends, over the plate's half length. */
-const WITHOUT_END = 1.45, BAR_ENDS = 7;
+const WITHOUT_END = 1.1, SHOWN = 0.6, BAR_ENDS = 3.4;
 
 const VERTEX = /* glsl */ `
   ${HALFWAY}
@@ -23,22 +23,35 @@ const VERTEX = /* glsl */ `
   }
 `;
 
+/** The surface is flat: all of it is lit alike. */
+const SURFACE_VERTEX = /* glsl */ `
+  uniform vec3 uLight;
+  varying vec2 vPlace;
+  varying float vMatt;
+  void main() {
+    vec3 up = normalize(transpose(inverse(mat3(modelMatrix))) * normal);
+    vMatt = ${MATT("up")};
+    vPlace = position.xy;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }
+`;
+
 const SURFACE = /* glsl */ `
-  ${LIT}
   uniform vec3 uColour, uGrid, uAxis, uDark;
   uniform vec2 uHalf, uCorner;
   uniform float uPitch, uWindow, uFade;
   uniform sampler2D uShadow;
   varying vec2 vPlace;
+  varying float vMatt;
   void main() {
     vec2 px = fwidth(vPlace) + 1e-9;
     vec2 off = abs(fract(vPlace / uPitch + 0.5) - 0.5) * uPitch / px;
     float line = clamp(1.2 - min(off.x, off.y), 0.0, 1.0) * clamp(uPitch / (6.0 * max(px.x, px.y)), 0.0, 1.0);
-    vec3 colour = uColour * matt(vNormal);
+    vec3 colour = uColour * vMatt;
     colour = mix(colour, uGrid, line);
     colour = mix(colour, uAxis, clamp(1.4 - abs(vPlace.y) / px.y, 0.0, 1.0));
-    float dark = texture2D(uShadow, (vPlace - uCorner) / uWindow).r;
-    colour = mix(colour, uDark, dark);
+    vec2 window = (vPlace - uCorner) / uWindow - 0.5;
+    if (max(abs(window.x), abs(window.y)) < 0.5) colour = mix(colour, uDark, texture2D(uShadow, window + 0.5).r);
     vec2 share = abs(vPlace) / uHalf, cubes = share * share * share;
     gl_FragColor = vec4(colour, 1.0 - uFade * smoothstep(0.24, 1.0, cubes.x + cubes.y));
   }
@@ -51,7 +64,7 @@ const SOLID = /* glsl */ `
   varying vec2 vPlace;
   void main() {
     vec3 normal = normalize(vNormal);
-    float alpha = 1.0 - smoothstep(0.35 * uFade, uFade, abs(vPlace.x));
+    float alpha = 1.0 - smoothstep(0.45 * uFade, uFade, abs(vPlace.x));
     gl_FragColor = vec4(uColour * matt(normal) + 0.12 * shine(normal), alpha);
   }
 `;
@@ -69,7 +82,7 @@ export class PlateMesh {
     const far = WITHOUT_END * Math.max(...size);
     /** Half the length and width of what is drawn, m; what the camera should show of it. */
     this.half = this.endless ? [far, far] : [plate.length / 2, plate.width / 2];
-    this.shown = this.endless ? [0.56 * far, 0.56 * far] : this.half;
+    this.shown = this.endless ? [SHOWN * far, SHOWN * far] : this.half;
     this.slab = 2 * SLAB * Math.min(...this.shown);
     this.bar = 2 * BAR * Math.min(...this.shown);
     /** Between lines of the grid, m. */
@@ -79,7 +92,7 @@ export class PlateMesh {
     this.uniforms = this.makeUniforms(shared);
     this.group = new Group();
     this.group.matrixAutoUpdate = false;
-    const surface = this.add(rectangle(this.half), SURFACE, this.uniforms, this.endless);
+    const surface = this.add(rectangle(this.half), SURFACE, this.uniforms, this.endless, SURFACE_VERTEX);
     surface.renderOrder = 1;
     this.bodies = new Group();
     this.group.add(this.bodies);
@@ -99,8 +112,8 @@ export class PlateMesh {
     };
   }
 
-  add(geometry, fragmentShader, uniforms, transparent) {
-    const material = new ShaderMaterial({ vertexShader: VERTEX, fragmentShader, uniforms, transparent });
+  add(geometry, fragmentShader, uniforms, transparent, vertexShader = VERTEX) {
+    const material = new ShaderMaterial({ vertexShader, fragmentShader, uniforms, transparent });
     const mesh = new Mesh(geometry, material);
     mesh.frustumCulled = false;
     this.group.add(mesh);
@@ -112,7 +125,7 @@ export class PlateMesh {
     this.uniforms.uGrid.value.fromArray(mix(plate, dark ? paper : ink, dark ? 0.28 : 0.13));
     this.uniforms.uAxis.value.fromArray(mix(plate, ink, 0.5));
     this.uniforms.uDark.value.fromArray(dark ? [0.02, 0.03, 0.05] : [0.14, 0.18, 0.24]);
-    this.metal.uColour.value.fromArray(mix(plate, dark ? ink : [0.35, 0.38, 0.43], 0.35));
+    this.metal.uColour.value.fromArray(mix(plate, dark ? ink : [0.42, 0.45, 0.5], 0.3));
     this.body?.uColour.value.fromArray(plate);
   }
 

@@ -53,13 +53,13 @@ export class Rulers {
       mesh.frustumCulled = false;
       mesh.renderOrder = 2;
       this.group.add(mesh);
-      return { canvas, texture, reach, mesh };
+      return { canvas, texture, reach, mesh, free: axis === 0 ? reach - 1.3 * wide : reach };
     });
   }
 
   recolour({ plate, ink, font, dark }) {
     const colour = css(mix(plate, ink, dark ? 0.72 : 0.62));
-    for (const { canvas, texture, reach } of this.sides) {
+    for (const { canvas, texture, reach, free } of this.sides) {
       const { width, height } = canvas, pen = canvas.getContext("2d");
       pen.clearRect(0, 0, width, height);
       pen.fillStyle = pen.strokeStyle = colour;
@@ -74,7 +74,8 @@ export class Rulers {
         pen.lineTo(x, height * (1 - 0.3 * length));
         pen.stroke();
         const half = pen.measureText(text).width / 2 + 2;
-        if (text && x > half && x < width - half) pen.fillText(text === "0" ? "0 mm" : text, x, 0.6 * height);
+        if (text && x > half && x < width - half && at < free) // the other ruler has the corner
+          pen.fillText(text === "0" ? "0 mm" : text, x, 0.6 * height);
       }
       texture.needsUpdate = true;
     }

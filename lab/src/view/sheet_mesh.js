@@ -78,7 +78,7 @@ export class SheetMesh {
     const uniforms = { ...shared, ...this.own };
     const { triangles } = surface.cut;
     this.add(faceOf(this.faces, triangles), { ...uniforms, uLift: { value: 1 } });
-    this.add(faceOf(this.faces, turnedOver(triangles)), { ...uniforms, uLift: { value: 0 } });
+    this.low = this.add(faceOf(this.faces, turnedOver(triangles)), { ...uniforms, uLift: { value: 0 } });
     this.rim = new Rim(surface);
     this.add(this.rim.geometry, uniforms, { RIM: "" });
   }
@@ -89,6 +89,7 @@ export class SheetMesh {
     mesh.frustumCulled = false;
     mesh.matrixAutoUpdate = false;
     this.group.add(mesh);
+    return mesh;
   }
 
   recolour(colours) {
@@ -110,8 +111,12 @@ export class SheetMesh {
     (kind === "height" ? HIGH : BENT).forEach((colour, k) => this.own.uColours.value[k].fromArray(colour));
   }
 
-  /** What the surface has is drawn next. @param {Float64Array} frame of the plate */
-  update(frame) {
+  /**
+   * What the surface has is drawn next.
+   * @param {Float64Array} frame of the plate @param {number} least cosine of a slope at which the lower face is seen
+   */
+  update(frame, least) {
+    this.low.visible = this.surface.steepest < least;
     const { centre } = this.surface, { uCentre, uAcross } = this.own;
     uAcross.value.set(frame[1], frame[4], frame[7]);
     uCentre.value.set(frame[9], frame[10], frame[11]).addScaledVector(uAcross.value, centre[1]);
@@ -195,7 +200,7 @@ class Rim {
     let at = 0;
     for (const loop of this.loops)
       for (let k = 0; k < loop.length; k++, at += 2) {
-        const from = 3 * loop[k], before = 3 * loop[(k + loop.length - 1) % loop.length], after = 3 * loop[(k + 1) % loop.length];
+        const from = 3 * loop[k], before = 3 * loop[(k + loop.length - 2) % loop.length], after = 3 * loop[(k + 2) % loop.length];
         const tx = p[after] - p[before], ty = p[after + 1] - p[before + 1], tz = p[after + 2] - p[before + 2];
         const x = ty * n[from + 2] - tz * n[from + 1], y = tz * n[from] - tx * n[from + 2], z = tx * n[from + 1] - ty * n[from];
         for (let to = 3 * at; to < 3 * at + 6; to += 3) {

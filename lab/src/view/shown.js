@@ -5,7 +5,7 @@ import { SheetSurface } from "./surface.js";
 import { Way } from "./way.js";
 
 /** Scales of colours go up in these steps, so that they seldom change. */
-const STEPS = [1, 2, 5];
+const STEPS = [1, 1.5, 2, 3, 5, 7];
 const LEAST_BENT = 0.05; // over what a dome as wide as the sheet and as high as its radius has
 
 export class Shown {
@@ -102,7 +102,7 @@ export class Shown {
   }
 }
 
-/** To 1, 2 or 5 times a power of ten. */
+/** To the next of `STEPS` times a power of ten. */
 export const roundedUp = (value) => {
   const ten = 10 ** Math.floor(Math.log10(value) + 1e-9);
   return ten * (STEPS.find((step) => step * ten >= value * (1 - 1e-9)) ?? 10);

@@ -4,7 +4,7 @@ import { LatticeSpline } from "./spline.js";
 import { cutGrid } from "./trimming.js";
 
 /** Cells along the sheet's longer side, and least along the shorter. */
-const CELLS = 64, LEAST_CELLS = 14, MOST_VERTICES = 6000;
+const CELLS = 44, LEAST_CELLS = 14, MOST_VERTICES = 4000;
 
 /** What is asked of a lattice: how many columns and rows of squares, and those that carry a node, in order. */
 export const latticeGrid = (lattice) => {
@@ -41,6 +41,8 @@ export class SheetSurface {
     this.points = new Float32Array(3 * this.nVertices);
     this.normals = new Float32Array(3 * this.nVertices);
     this.turned = new Float64Array(6);
+    /** Cosine of the steepest slope anywhere over the plate; negative where the sheet is turned over. */
+    this.steepest = 1;
     /** Middle of the nodes in the plate's frame, m, and how far the sheet has turned about its normal, rad. */
     this.centre = new Float64Array(3);
     this.angle = 0;
@@ -60,7 +62,7 @@ export class SheetSurface {
       this.turned[3 + d] = -sin * frame[3 * d] + cos * frame[3 * d + 1];
     }
     this.spline.through(nodes, this.points, this.turned);
-    this.findNormals();
+    this.findNormals(frame);
   }
 
   findPlace(onPlate) {
@@ -77,7 +79,7 @@ export class SheetSurface {
   }
 
   /** Upward unit normals of the vertices, from the triangles around each. */
-  findNormals() {
+  findNormals(frame) {
     const { points: p, normals: n } = this, { triangles, inner } = this.cut;
     n.fill(0);
     for (let t = 0; t < triangles.length; t += 3) {
@@ -89,6 +91,7 @@ export class SheetSurface {
       n[b] += x; n[b + 1] += y; n[b + 2] += z;
       n[c] += x; n[c + 1] += y; n[c + 2] += z;
     }
+    let steepest = 1;
     for (let k = 0; k < inner.length; k++) {
       const i = 3 * k, from = 3 * inner[k];
       const length = Math.sqrt(n[i] * n[i] + n[i + 1] * n[i + 1] + n[i + 2] * n[i + 2]);
@@ -97,7 +100,9 @@ export class SheetSurface {
       } else if (from !== i) {
         n[i] = n[from]; n[i + 1] = n[from + 1]; n[i + 2] = n[from + 2];
       } else n[i + 2] = 1;
+      steepest = Math.min(steepest, n[i] * frame[2] + n[i + 1] * frame[5] + n[i + 2] * frame[8]);
     }
+    this.steepest = steepest;
   }
 }
 

@@ -17,16 +17,16 @@ export class Trail {
   /** @param {import("./shown.js").Shown} shown @param {object} shared uniforms */
   constructor(shown, shared) {
     this.shown = shown;
-    this.line = new Lines(shown.way.most, shared, { width: 2.25 });
-    this.limit = new Lines(CORNERS, shared, { width: 1.75, dash: (2 * Math.PI * shown.scenario.slip_limit) / 24 || 0 });
+    this.line = new Lines(shown.way.most, shared, { width: 4 });
+    this.limit = new Lines(CORNERS, shared, { width: 4, dash: (2 * Math.PI * shown.scenario.slip_limit) / 24 || 0 });
     this.limit.path(limitCircle(shown.scenario), true);
     this.meshes = [this.limit.mesh, this.line.mesh];
     this.drawn = -1;
   }
 
-  recolour({ ink, paper, failed, dark }) {
-    this.line.colour(dark ? paper : ink);
-    this.limit.colour(failed);
+  recolour({ ink, paper, failed }) {
+    this.line.colour(ink, paper);
+    this.limit.colour(failed, paper);
   }
 
   update() {

@@ -12,6 +12,8 @@ const LAYERS = { contact: true, forces: true, legs: true, trail: true, bending: 
 const MOST_EXAGGERATED = 10;
 /** How far from a node, in pitches, the sheet is still taken hold of. */
 const GRASP = 0.8;
+/** After so long without a new one a picture stands still, ms. */
+const STILL = 250;
 
 /**
  * @typedef {object} Frame
@@ -33,6 +35,8 @@ export class View {
     this.tellPush = null;
     this.held = null;
     this.waiting = 0;
+    this.settling = 0;
+    this.drawn = 0;
     this.stand = null;
     if (canvas.tabIndex < 0) canvas.tabIndex = 0;
     this.listen();
@@ -111,6 +115,15 @@ export class View {
     this.waiting = 0;
     if (!this.shown || this.gone || !this.canvas.clientWidth || !this.canvas.clientHeight) return;
     (this.stand ?? this.picture).draw(this.asked);
+    this.drawn = performance.now();
+    if (this.picture.finer) this.settling ||= setTimeout(() => this.settle(), STILL);
+  }
+
+  /** Nothing has moved for a while: draw it once more, finer. */
+  settle() {
+    const left = this.drawn + STILL - performance.now();
+    this.settling = left > 5 ? setTimeout(() => this.settle(), left) : 0;
+    if (!this.settling && !this.stand && !this.gone) this.picture.draw(this.asked, true);
   }
 
   /** Draw with the screen's next picture. */
@@ -291,6 +304,7 @@ export class View {
   /** What is seen now as a PNG. @returns {Promise<Blob | null>} */
   snapshot() {
     this.frame();
+    if (!this.stand && this.shown) this.picture.draw(this.asked, true);
     const { canvas } = this.stand ?? this;
     return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
   }
@@ -298,6 +312,7 @@ export class View {
   destroy() {
     this.gone = true;
     cancelAnimationFrame(this.waiting);
+    clearTimeout(this.settling);
     this.gestures.destroy();
     this.sizes.disconnect();
     this.attributes.disconnect();
