@@ -36,11 +36,14 @@ export const heatMap = (el, { onPick } = {}) => {
   if (onPick) pickable(below, chart, () => data, () => chosen, choose, onPick);
   return {
     update(next) {
+      const moved = JSON.stringify([data.x, data.y]) !== JSON.stringify([next.x, next.y]);
       data = next;
       const [nx, ny] = [data.x.values.length, data.y.values.length];
       if (chosen && (chosen.i >= nx || chosen.j >= ny)) choose(null);
       legend.update(data);
       chart.update([[0, 1], [null, null]]);
+      // Cells are drawn by number: their range may be the same where the values on the axes are others.
+      if (moved) chart.plot?.redraw(true, true);
       const done = [...data.cells.values()];
       const [low, high] = extent(data);
       const failed = done.filter((cell) => cell.failed).length;
