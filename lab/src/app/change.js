@@ -1,8 +1,10 @@
 // A scenario with some of it changed: dotted names as the command line and the files have them.
+import { naturalFrequency } from "../model/modes.js";
 
 /** What a scenario has by a dotted name; undefined where there is nothing. */
 export function valueOf(scenario, name) {
   if (name === "friction_angle") return Math.atan(scenario.friction.static);
+  if (name === "natural_frequency") return naturalFrequency(scenario.sheet);
   if (name === "motion.phase") return strokeOf(scenario.motion).phase;
   if (name === "motion.stroke") return strokeOf(scenario.motion).amplitude;
   return name.split(".").reduce((part, key) => (part === null || part === undefined ? undefined : part[key]), scenario);
@@ -11,6 +13,7 @@ export function valueOf(scenario, name) {
 /** The scenario with one value set; all else shared. */
 export function withValue(scenario, name, value) {
   if (name === "friction_angle") return withFriction(scenario, Math.tan(value));
+  if (name === "natural_frequency") return withNaturalFrequency(scenario, value);
   if (name === "friction.static") return withFriction(scenario, value);
   if (name === "motion.phase") return withStroke(scenario, strokeOf(scenario.motion).amplitude, value);
   if (name === "motion.stroke") return withStroke(scenario, value, strokeOf(scenario.motion).phase);
@@ -25,6 +28,15 @@ function put(part, [key, ...rest], value) {
   const copy = Array.isArray(part) ? [...part] : { ...part };
   copy[key] = rest.length ? put(part?.[key] ?? {}, rest, value) : value;
   return copy;
+}
+
+/** Bending and torsion stiffness scaled together to another frequency of the dish mode. */
+function withNaturalFrequency(scenario, value) {
+  const own = naturalFrequency(scenario.sheet);
+  if (!(own > 0)) throw new Error("the sheet has no bending stiffness to scale: give it one first");
+  const by = (value / own) ** 2;
+  const { bending_stiffness: kb, torsion_stiffness: kt } = scenario.sheet;
+  return { ...scenario, sheet: { ...scenario.sheet, bending_stiffness: kb * by, torsion_stiffness: kt * by } };
 }
 
 /** Another static friction, the ratio of the two kept, as in section 4.5. */

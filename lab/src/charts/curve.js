@@ -25,8 +25,8 @@ export const fitInParts = (fit) => {
 export const fitInWords = (fit) => fitInParts(fit).join(" · ");
 
 /** What a point shows, in words. */
-export const pointInWords = (point) => {
-  const sides = [`${read(point.frequency, 4)} Hz`];
+export const pointInWords = (point, unit = "Hz") => {
+  const sides = [`${read(point.frequency, 4)} ${unit}`.trim()];
   if (Number.isFinite(point.rate)) {
     const spread = Number.isFinite(point.spread) ? ` ± ${read(point.spread / DEGREE, 2)}` : "";
     sides.push(`${read(point.rate / DEGREE)}${spread} °/s`);
@@ -34,7 +34,8 @@ export const pointInWords = (point) => {
   if (point.gait) sides.push(point.gait);
   if (point.failure) {
     const how = point.runs > 1 ? `${point.failedRuns} of ${point.runs} failed: ` : "";
-    sides.push(`${how}${point.failure} at ${read(point.failureTime, 2)} s`);
+    const when = Number.isFinite(point.failureTime) ? ` at ${read(point.failureTime, 2)} s` : "";
+    sides.push(`${how}${point.failure}${when}`);
   }
   return sides.join(", ");
 };
@@ -43,8 +44,9 @@ export const pointInWords = (point) => {
  * @param {HTMLElement} el
  * @param {{onPick?: (point: object) => void}} given called with a point that was clicked, or Enter on it
  * @returns {{update(data: {points: object[], fit?: object, from?: number, to?: number,
- *   overlays?: {name: string, points: {frequency, rate}[]}[]}), resize(), destroy()}} points as `together` gives them,
- *   with their frequency, Hz, and whether they are `fitted`; `from` and `to` keep that range in view while points still come
+ *   overlays?: {name: string, points: {frequency, rate}[]}[], label?: string, unit?: string}), resize(), destroy()}} points as `together` gives them,
+ *   with their frequency, Hz, and whether they are `fitted`; `from` and `to` keep that range in view while points still come;
+ *   `label` and `unit` tell what the curve is over where that is no frequency (which `frequency` holds all the same)
  */
 export const spinCurve = (el, { onPick } = {}) => {
   el.classList.add("chart-parts");
@@ -54,29 +56,31 @@ export const spinCurve = (el, { onPick } = {}) => {
   let data = { points: [], overlays: [] };
   let chosen = -1;
   const draw = (u) => drawCurve(u, data, chosen);
+  const words = (point) => pointInWords(point, data.unit);
   const chart = plotIn(below, {
     scales: {
       x: { time: false, range: () => xRange(data) },
       y: { range: () => yRange(data) },
     },
     series: [{}, { show: false }],
-    axes: [axis("plate frequency (Hz)"), leftAxis("spin rate (°/s)")],
+    axes: [axis(() => data.label ?? "plate frequency (Hz)"), leftAxis("spin rate (°/s)")],
     hooks: { draw: [draw] },
   }, [[0, 1], [null, null]]);
   const choose = (index) => {
     chosen = index;
-    readout.textContent = index < 0 ? "" : pointInWords(data.points[index]) + (onPick ? "; click or Enter watches it" : "");
+    readout.textContent = index < 0 ? "" : words(data.points[index]) + (onPick ? "; click or Enter watches it" : "");
     chart.plot?.redraw(false);
     if (index >= 0) {
       below.setAttribute("aria-valuenow", String(data.points[index].frequency));
-      below.setAttribute("aria-valuetext", pointInWords(data.points[index]));
+      below.setAttribute("aria-valuetext", words(data.points[index]));
     }
   };
   if (onPick) pickable(below, chart, () => data.points, () => chosen, choose, onPick);
   const describe = () => {
     const measured = data.points.filter(({ rate }) => Number.isFinite(rate)).length;
     const failed = data.points.filter((point) => point.failed).length;
-    chart.describe(`Spin curve of ${data.points.length} frequencies: ${measured} spin, ${failed} failed. ${fitInWords(data.fit)}`);
+    chart.describe(`Spin rate over ${data.label ?? "plate frequency"}, ${data.points.length} points: ${measured} measured, ${failed} ` +
+      `failed. ${fitInWords(data.fit)}`);
   };
   describe();
   return {

@@ -69,6 +69,9 @@ const extent = ({ cells, categories }) => {
 
 const shareOf = (value, [low, high]) => (high > low ? (value - low) / (high - low) : 0.5);
 
+/** A value of an axis: a number, or a word such as a law of friction. */
+const told = (value, count) => (typeof value === "string" ? value : read(value, count));
+
 /** Marks of an axis in the middle of cells, no nearer than `space` pixels. */
 const ticksOf = (valuesOf, space) => ({
   splits: (u, index) => {
@@ -77,7 +80,7 @@ const ticksOf = (valuesOf, space) => ({
     const every = Math.max(1, Math.ceil((n * space) / Math.max(pixels, 1)));
     return Array.from({ length: Math.ceil(n / every) }, (_, k) => k * every + 0.5);
   },
-  values: (_, splits) => splits.map((at) => read(valuesOf()[Math.floor(at)] ?? NaN)),
+  values: (_, splits) => splits.map((at) => told(valuesOf()[Math.floor(at)] ?? NaN)),
 });
 
 const drawCells = (u, data, chosen) => {
@@ -158,7 +161,7 @@ const hatch = (ctx, x, y, w, h, colour, scale) => {
 /** What a cell shows, in words. */
 const cellInWords = (data, { i, j }) => {
   const cell = data.cells.get(`${i},${j}`);
-  const place = `${data.x.label} ${read(data.x.values[i], 4)}, ${data.y.label} ${read(data.y.values[j], 4)}`;
+  const place = `${data.x.label} ${told(data.x.values[i], 4)}, ${data.y.label} ${told(data.y.values[j], 4)}`;
   if (!cell) return `${place}: not computed yet`;
   if (cell.refused) return `${place}: ${cell.refused}`;
   const value = Number.isFinite(cell.value) && !data.categories ? `${data.label} ${read(cell.value)} ${data.unit}`.trim() : "";

@@ -14,6 +14,7 @@ const MOST_REPEATS = 32;
 const MOST_RUNS = 2000;
 const MOST_SECONDS = 60;
 const SEED = 0;
+const FIT_EVERY = 300; // ms while points come
 const MOST_BYTES = 2e6; // of a measured curve
 const SECONDS = { unit: "s", display: "s", factor: 1, example: "2 s", above: 0, at_least: null, at_most: MOST_SECONDS };
 
@@ -82,7 +83,7 @@ export const curveTab = (el, desk) => {
   const watch = (point) => desk.watch({ ...state.scenario, motion: { ...state.scenario.motion, frequency: point.frequency } });
   const chart = spinCurve(page.chart, { onPick: watch });
   const draw = oncePerPicture(() => {
-    const fit = state.points.length ? fitPoints(state.points) : null;
+    const fit = fitOf(state);
     const used = fittedPoints(state.points);
     const points = state.points.map((point, i) => ({ ...point, fitted: used[i] }));
     chart.update({ points, fit, from: state.told?.from, to: state.told?.to, overlays: page.overlays(stored, state.own) });
@@ -92,10 +93,20 @@ export const curveTab = (el, desk) => {
   return { shown: () => chart.resize(), hidden() {}, destroy: () => (state.stop?.abort(), chart.destroy()) };
 };
 
+/** Fit of the points so far, anew at the end and not too often before it. */
+const fitOf = (state) => {
+  const now = performance.now();
+  if (!state.stop || now - (state.fittedAt ?? 0) > FIT_EVERY) {
+    state.fit = state.points.length ? fitPoints(state.points) : null;
+    state.fittedAt = now;
+  }
+  return state.fit;
+};
+
 /** Run all points, coarse first, each drawn as it comes. */
 const compute = async (desk, state, told, page, draw) => {
   const scenario = structuredClone(desk.scenario());
-  Object.assign(state, { points: [], scenario, told, stop: new AbortController(), refused: "", began: performance.now() });
+  Object.assign(state, { points: [], fit: null, scenario, told, stop: new AbortController(), refused: "", began: performance.now() });
   const frequencies = frequenciesOf(told.from, told.to, told.count);
   page.running(true);
   draw();

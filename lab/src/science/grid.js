@@ -6,22 +6,33 @@ const DEGREE = Math.PI / 180;
 const COARSEST = 8;
 // Of the run, not of the object or its motion; a map has a control of its own for them.
 const OF_THE_RUN = new Set(["duration", "transient", "time_step", "motion.ramp"]);
+// What changes several fields together.
+const SHORTHANDS = new Set(["natural_frequency", "friction_angle"]);
 // Sheets that differ in these differ in their lattices, of which a module runs one at a time.
 const OF_THE_LATTICE = /^sheet\.(outline|pitch)/;
 
 /** Numbers of a scenario that a map can go over: fields of the model that this scenario has. */
 export const parametersOf = (facts, scenario) => {
   const seen = new Set();
-  const shorthands = (facts.shorthands ?? []).filter(({ name }) => name === "friction_angle");
+  const shorthands = (facts.shorthands ?? []).filter(({ name }) => SHORTHANDS.has(name));
   return [...facts.fields, ...shorthands].filter((field) => {
     const { name, kind, choices, on } = field;
     if (seen.has(name) || name.includes("*") || OF_THE_RUN.has(name) || choices || (kind ?? "number") !== "number") return false;
-    if (typeof valueOf(scenario, name) !== "number" || (on && !on.includes(valueOf(scenario, `${name.replace(/\.[^.]*$/, "")}.shape`)))) {
+    if (!Number.isFinite(numberOf(scenario, name)) || (on && !on.includes(valueOf(scenario, `${name.replace(/\.[^.]*$/, "")}.shape`)))) {
       return false;
     }
     seen.add(name);
     return true;
   });
+};
+
+/** What a scenario has by a name; NaN where it has nothing, or a sheet that has no such mode. */
+const numberOf = (scenario, name) => {
+  try {
+    return valueOf(scenario, name);
+  } catch {
+    return NaN;
+  }
 };
 
 /** A parameter's words: "motion angle". */
