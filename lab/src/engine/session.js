@@ -1,85 +1,100 @@
 // Runs that stay where they are: sheets of one lattice side by side, advanced piece by piece. As the package's
-// engine/batch.py.
+// engine/batch.py and simulation/session.py.
 import { courseOf, goneOver, stillNeeded } from "../model/course.js";
-import { AXES } from "../model/motion.js";
+import { AXES, SHORTEST_RAMP, poseAtStart } from "../model/motion.js";
 import { featuresOf, packCourses, packParameters } from "../model/packing.js";
-import { checkScenario, latticeOf, startPositions, strideOf, thinningOf, timeStep } from "../model/scenario.js";
+import { startPositions, strideOf, thinningOf } from "../model/recording.js";
+import { roundHalfEven } from "../model/rounding.js";
+import { checkScenario, latticeOf, timeStep } from "../model/scenario.js";
+import { LaidDownAnew, checkKick, checkOffset, checkSaved } from "./asked.js";
+import { allFinite, byChannel, multiples, shapesOf } from "./piece.js";
 
 const [TAKEN, , DUE, SAMPLED] = [0, 1, 2, 3]; // places in the core's clock
 const AHEAD = 2; // tables of sampled trajectories reach so many times as far as the runs are advanced
 const MOST_NUMBERS = 30e6; // that one advance may record
 const NODE_NUMBERS = 3;
 const PLATE_NUMBERS = 6;
-const GONE = -2; // what the edge remembers of nodes that were never over it (native/edge.hpp)
-
-/** A change that a sheet under way cannot be told of: it would want another lattice, or a shorter time step. */
-export class LaidDownAnew extends Error {
-  constructor(what) {
-    super(`${what} must be laid down anew`);
-    this.anew = true;
-  }
-}
+const USUAL_RAMP = 0.1; // s: of a change to a motion that has none
+// What the edge remembers of nodes that were on a plate that did not end yet (native/edge.hpp).
+const ON_THE_PLATE = -2;
 
 export class Session {
   /**
    * @param {import("./module.js").Engine} engine
    * @param {object[]} scenarios of like lattice
-   * @param {{offsets?: number[][], snapshotInterval?: number}} [given] what is added to each start, m and rad
+   * @param {{offsets?: number[][], snapshotInterval?: number}} [given] x, y, angle added to each start, m and rad; time
+   *   between recorded shapes, s, 0 for none
    */
   constructor(engine, scenarios, { offsets = [], snapshotInterval = 0 } = {}) {
     scenarios.forEach(checkScenario);
     this.engine = engine;
     this.scenarios = [...scenarios];
     this.lattice = latticeOf(scenarios[0].sheet);
-    this.courses = scenarios.map((s) => courseOf(s.motion));
+    if (scenarios.some(({ sheet }) => latticeOf(sheet) !== this.lattice)) throw new Error("sheets of one lattice go side by side");
+    this.courses = scenarios.map(({ motion }) => courseOf(motion));
     this.stride = scenarios.map((s) => strideOf(s));
     this.thinning = scenarios.map((s) => thinningOf(s, snapshotInterval));
-    this.tabulated = scenarios.map(() => 0);
-    const n = scenarios.length;
-    const per = 3 * this.lattice.nNodes;
-    const starts = scenarios.map((s, j) => startPositions(s, offsets[j]));
+    // A sample's time counts from where the stride was last changed.
+    this.since = scenarios.map(() => ({ sample: 0, time: 0 }));
+    this.wanted = scenarios.map(() => 0); // s asked for so far: durations add up exactly
+    this.tabulated = scenarios.map(() => 0); // s that tables of sampled trajectories reach
+    this.state = this.#start(offsets);
+    this.packed = null;
+  }
+
+  #start(offsets) {
+    const { engine, scenarios } = this;
+    const [n, per] = [scenarios.length, 3 * this.lattice.nNodes];
     const x = new Float64Array(n * per);
-    starts.forEach((start, j) => x.set(start, j * per));
-    this.state = {
-      x, v: new Float64Array(n * per), edge: this.features()[2] ? new Float64Array(n * per) : new Float64Array(0),
+    scenarios.forEach((s, j) => x.set(startPositions(s, offsets[j] && checkOffset(offsets[j])), j * per));
+    return {
+      x, v: new Float64Array(n * per), edge: new Float64Array(this.#ends() ? n * per : 0),
       tally: new Float64Array(n * engine.tallies), clock: new BigInt64Array(n * engine.clocks),
       last: new Float32Array(n * engine.names.channels.length).fill(NaN), diverged: scenarios.map(() => false),
     };
   }
 
-  features() {
-    return featuresOf(this.scenarios);
+  /** Whether some plate ends. */
+  #ends() {
+    return featuresOf(this.scenarios)[2] === 1;
   }
 
-  clockOf(run, which) {
+  #clock(run, which) {
     return Number(this.state.clock[run * this.engine.clocks + which]);
   }
 
   /** Time of a run, s. */
   time(run = 0) {
-    return this.clockOf(run, TAKEN) * timeStep(this.scenarios[run]);
+    return this.#clock(run, TAKEN) * timeStep(this.scenarios[run]);
+  }
+
+  /** Whether a run ceased to be finite: it goes on no further. */
+  diverged(run = 0) {
+    return this.state.diverged[run];
   }
 
   /**
-   * Take steps: so many of each run, or for so many seconds.
+   * Let all runs go on: for so many seconds, or by so many steps of each.
    *
    * @param {{seconds?: number, steps?: number[]}} how
-   * @returns {{channels: Record<string, Float32Array>, snapshots: Float32Array, snapshotTime: Float64Array, steps: number, diverged: boolean}[]}
+   * @returns {import("./piece.js").Piece[]}
    */
-  advance({ seconds, steps }) {
-    const { engine, scenarios, state, lattice } = this;
-    const n = scenarios.length;
-    const wanted = (steps ?? scenarios.map((s) => Math.max(1, Math.round(seconds / timeStep(s))))).map((count, j) => (state.diverged[j] ? 0 : count));
-    const due = scenarios.map((_, j) => this.#samplesWithin(j, wanted[j]));
-    const first = scenarios.map((_, j) => this.clockOf(j, SAMPLED));
-    const pictures = scenarios.map((_, j) => multiples(first[j] + due[j], this.thinning[j]) - multiples(first[j], this.thinning[j]));
-    const [maxSamples, maxSnapshots] = [Math.max(...due), Math.max(...pictures)];
-    const channels = engine.names.channels.length;
-    const per = 3 * lattice.nNodes;
-    if (n * (maxSamples * channels + maxSnapshots * per) > MOST_NUMBERS) throw new Error("too much to record at once: a shorter run, or fewer at once");
-    const before = scenarios.map((_, j) => this.clockOf(j, TAKEN));
-    const told = this.#told(wanted);
-    const out = engine.with(
+  advance({ seconds = 0, steps }) {
+    const { engine, scenarios, state } = this;
+    const wanted = scenarios.map((s, j) => (steps ? this.time(j) + steps[j] * timeStep(s) : this.wanted[j] + seconds));
+    const todo = scenarios.map((s, j) =>
+      (state.diverged[j] ? 0 : Math.max(0, steps?.[j] ?? roundHalfEven(wanted[j] / timeStep(s)) - this.#clock(j, TAKEN))));
+    if (!allFinite(todo)) throw new Error("no finite time to go on for");
+    const [n, channels, per] = [scenarios.length, engine.names.channels.length, 3 * this.lattice.nNodes];
+    const first = scenarios.map((_, j) => this.#clock(j, SAMPLED));
+    const due = todo.map((count, j) => this.#samplesWithin(j, count));
+    const maxSamples = Math.max(...due);
+    const maxSnapshots = Math.max(...due.map((count, j) => this.#pictures(j, first[j], count)));
+    if (n * (maxSamples * channels + maxSnapshots * per) > MOST_NUMBERS)
+      throw new Error("more to record at once than a page has room for; try a shorter run, or fewer at once");
+    const told = this.#told(todo);
+    const before = scenarios.map((_, j) => this.#clock(j, TAKEN));
+    const { samples, snapshots, ...next } = engine.with(
       { ...told.counts, max_samples: maxSamples, max_snapshots: maxSnapshots },
       { ...told.arrays, samples: { bytes: 4 * n * maxSamples * channels }, snapshots: { bytes: 4 * n * maxSnapshots * per } },
       (table) => engine.core.plategait_advance(table),
@@ -90,106 +105,135 @@ export class Session {
         snapshots: view(Float32Array, "snapshots", n * maxSnapshots * per),
       }),
     );
-    const { samples, snapshots, ...next } = out;
-    this.state = { ...next, diverged: scenarios.map((_, j) => state.diverged[j] || Number(next.clock[j * engine.clocks + TAKEN]) - before[j] < wanted[j]) };
-    return scenarios.map((s, j) => {
-      const written = Math.min(this.clockOf(j, SAMPLED) - first[j], maxSamples);
-      const own = samples.subarray(j * maxSamples * channels, (j * maxSamples + written) * channels);
-      const pictured = multiples(first[j] + written, this.thinning[j]) - multiples(first[j], this.thinning[j]);
-      const time = own.length ? byChannel(own, engine.names.channels) : byChannel(new Float32Array(0), engine.names.channels);
-      return {
-        channels: time, steps: this.clockOf(j, TAKEN) - before[j], diverged: this.state.diverged[j],
-        snapshots: snapshots.slice(j * maxSnapshots * per, (j * maxSnapshots + pictured) * per),
-        ...shownAt(time, first[j], this.thinning[j], pictured),
-      };
+    this.state = { ...next, diverged: state.diverged };
+    this.wanted = wanted;
+    const taken = before.map((from, j) => this.#clock(j, TAKEN) - from);
+    this.state.diverged = scenarios.map((_, j) =>
+      state.diverged[j] || taken[j] < todo[j] || !allFinite(next.x.subarray(j * per, (j + 1) * per)));
+    return scenarios.map((_, j) => {
+      const from = j * maxSamples * channels;
+      const written = Math.min(this.#clock(j, SAMPLED) - first[j], maxSamples);
+      const own = samples.subarray(from, from + written * channels);
+      return this.#piece(j, first[j], own, snapshots.subarray(j * maxSnapshots * per), taken[j]);
     });
   }
 
+  /** @returns {import("./piece.js").Piece} */
+  #piece(run, first, samples, snapshots, steps) {
+    const channels = byChannel(samples, this.engine.names.channels);
+    const { sample, time } = this.since[run];
+    const interval = this.stride[run] * timeStep(this.scenarios[run]);
+    // Counted in steps: the core's precision does not reach a long run's end.
+    channels.time = Float64Array.from(channels.time, (_, k) => time + (first + k - sample) * interval);
+    const pictured = this.#pictures(run, first, channels.time.length);
+    return {
+      channels, steps, diverged: this.state.diverged[run] || !allFinite(samples),
+      snapshots: snapshots.slice(0, pictured * 3 * this.lattice.nNodes), ...shapesOf(channels, first, this.thinning[run], pictured),
+    };
+  }
+
   #samplesWithin(run, steps) {
-    const [due, end] = [this.clockOf(run, DUE), this.clockOf(run, TAKEN) + steps];
+    const [due, end] = [this.#clock(run, DUE), this.#clock(run, TAKEN) + steps];
     return due <= end && steps > 0 ? Math.floor((end - due) / this.stride[run]) + 1 : 0;
+  }
+
+  #pictures(run, first, samples) {
+    return multiples(first + samples, this.thinning[run]) - multiples(first, this.thinning[run]);
   }
 
   /** Everything that the core reads before it takes steps, by the names of its table. */
   #told(steps) {
     const { lattice, scenarios, state } = this;
     scenarios.forEach((s, j) => {
-      const time = this.time(j);
-      this.courses[j] = stillNeeded(this.courses[j], time);
-      const reached = time + steps[j] * timeStep(s);
-      if (reached > this.tabulated[j]) this.tabulated[j] = AHEAD * reached;
+      const reached = this.time(j) + steps[j] * timeStep(s);
+      const needed = stillNeeded(this.courses[j], this.time(j));
+      if (needed === this.courses[j] && reached <= this.tabulated[j]) return;
+      this.courses[j] = needed;
+      // Further than is needed now, or every piece would make them anew.
+      if (reached > this.tabulated[j]) this.tabulated[j] = this.tabulated[j] > 0 ? AHEAD * reached : reached;
+      this.packed = null;
     });
-    const course = packCourses(scenarios, this.courses, this.tabulated);
-    const [torsion, smooth, edge, ramp] = this.features();
+    this.packed ??= packCourses(scenarios, this.courses, this.tabulated);
+    const { packed } = this;
+    const [torsion, smooth, edge, ramp] = featuresOf(scenarios);
     const whole = (values) => BigInt64Array.from(values, BigInt);
     return {
       counts: {
         n_nodes: lattice.nNodes, n_lines: lattice.lineStart.length - 1, n_axial_lines: lattice.axial, n_cells: lattice.nCells,
-        n_runs: scenarios.length, n_layers: course.nLayers, n_terms: course.termDof.length,
+        n_runs: scenarios.length, n_layers: packed.nLayers, n_terms: packed.termDof.length,
         has_torsion: torsion, has_smooth_friction: smooth, has_plate_edge: edge, has_contact_ramp: ramp,
       },
       arrays: {
         line_start: lattice.lineStart, line_nodes: lattice.lineNodes, cells: lattice.cells, rest: lattice.rest,
-        mobility: new Float64Array(lattice.nNodes).fill(1),
-        parameters: packParameters(this.engine.names.parameters, scenarios),
-        layer_terms: course.layerTerms, term_dof: course.termDof, terms: course.terms, layers: course.layers,
+        mobility: new Float64Array(lattice.nNodes).fill(1), parameters: packParameters(this.engine.names.parameters, scenarios),
+        layer_terms: packed.layerTerms, term_dof: packed.termDof, terms: packed.terms, layers: packed.layers,
         steps: whole(steps), stride: whole(this.stride), thinning: whole(this.thinning),
         x: state.x, v: state.v, edge: state.edge, tally: state.tally, clock: state.clock, last: state.last,
-        ...(course.knots.length ? { knots: course.knots, first_knot: course.firstKnot, n_knots: course.nKnots } : {}),
+        ...(packed.knots.length ? { knots: packed.knots, first_knot: packed.firstKnot, n_knots: packed.nKnots } : {}),
       },
     };
   }
 
-  /** Let the plate of a run go over to another motion from now on, within so many seconds. */
-  change(run, motion, ramp = 0.1) {
-    const step = timeStep(this.scenarios[run]);
-    const scenario = { ...this.scenarios[run], motion: { ...motion, height: this.scenarios[run].motion.height } };
-    checkScenario({ ...scenario, time_step: null });
-    if (timeStep({ ...scenario, time_step: null }) < step * (1 - 1e-9)) throw new LaidDownAnew("a plate as fast");
-    this.courses[run] = goneOver(this.courses[run], motion, this.time(run), ramp);
-    this.scenarios[run] = { ...scenario, time_step: step };
-    this.stride[run] = strideOf(this.scenarios[run], motion);
+  /** Let the plate of a run go over to another motion from now on, within so many seconds. @throws {LaidDownAnew} */
+  change(run, motion, ramp = motion?.ramp) {
+    this.become(run, { ...this.scenarios[run], motion }, ramp);
   }
 
-  /** Let a run be another of the same lattice from now on, where it is; its plate goes over to the other's motion. */
-  become(run, scenario, ramp = 0.1) {
+  /**
+   * Let a run be another of the same lattice from now on, where it is; its plate goes over to the other's motion.
+   *
+   * @throws {LaidDownAnew} where it would want another lattice, a plate about another axis, or a shorter time step
+   */
+  become(run, scenario, ramp = scenario.motion?.ramp) {
     const step = timeStep(this.scenarios[run]);
-    checkScenario(scenario);
+    checkScenario({ ...scenario, time_step: null });
     if (latticeOf(scenario.sheet) !== this.lattice) throw new LaidDownAnew("a sheet of another lattice");
-    if (timeStep({ ...scenario, time_step: null }) < step * (1 - 1e-9)) throw new LaidDownAnew("a sheet as stiff");
-    const hadEdge = this.features()[2];
-    this.courses[run] = goneOver(this.courses[run], scenario.motion, this.time(run), ramp);
+    if (scenario.motion.height !== this.scenarios[run].motion.height) throw new LaidDownAnew("a plate about another axis");
+    const usual = timeStep({ ...scenario, time_step: null });
+    if (usual < step * (1 - 1e-9)) throw new LaidDownAnew("what needs a shorter time step");
+    const ended = this.#ends();
+    if (JSON.stringify(scenario.motion) !== JSON.stringify(this.scenarios[run].motion)) this.#goOver(run, scenario.motion, ramp);
     this.scenarios[run] = { ...scenario, time_step: step };
-    this.stride[run] = strideOf(this.scenarios[run], scenario.motion);
-    if (this.features()[2] && !hadEdge) this.state.edge = forgotten(this.state.x.length);
-    if (!this.features()[2]) this.state.edge = new Float64Array(0);
+    if (this.#ends() && !ended) this.state.edge = this.state.x.map((_, k) => (k % 3 === 2 ? ON_THE_PLATE : 0));
+    if (!this.#ends()) this.state.edge = new Float64Array(0);
+    this.packed = null;
+  }
+
+  #goOver(run, motion, ramp) {
+    const duration = Number.isFinite(ramp) && ramp > SHORTEST_RAMP ? ramp : USUAL_RAMP;
+    this.courses[run] = goneOver(this.courses[run], motion, this.time(run), duration);
+    const step = timeStep(this.scenarios[run]);
+    const stride = strideOf({ ...this.scenarios[run], motion, time_step: step });
+    if (stride === this.stride[run]) return;
+    this.since[run] = { sample: this.#clock(run, SAMPLED), time: this.#clock(run, DUE) * step };
+    this.stride[run] = stride;
   }
 
   /**
    * Add to the velocities of a run's nodes.
    *
    * @param {{velocity?: number[], spin?: number, at?: number[], radius?: number}} kick m/s along x, y, z; rad/s about the
-   *   sheet's middle; where it is felt most and how far, m: everywhere alike where that is left out
+   *   sheet's middle; where it is felt most and how far from there, m: everywhere alike where that is left out
    */
-  push(run, { velocity = [0, 0, 0], spin = 0, at = null, radius = 0.02 }) {
-    const numbers = [...velocity, spin, radius, ...(at ?? [])];
-    if (!numbers.every((value) => Number.isFinite(value) && Math.abs(value) < 100)) throw new Error("a kick of no finite, sensible speed");
-    const per = 3 * this.lattice.nNodes;
+  push(run, kick) {
+    const { velocity, spin, at, radius } = checkKick(kick);
+    const [n, per] = [this.lattice.nNodes, 3 * this.lattice.nNodes];
     const x = this.state.x.subarray(run * per, (run + 1) * per);
-    const v = this.state.v.subarray(run * per, (run + 1) * per);
-    const n = this.lattice.nNodes;
-    const [mx, my] = [0, 1].map((a) => {
-      let sum = 0;
-      for (let k = 0; k < n; k++) sum += x[3 * k + a];
-      return sum / n;
-    });
+    const v = this.state.v.slice();
+    let [middleX, middleY] = [0, 0];
+    for (let k = 0; k < n; k++) {
+      middleX += x[3 * k] / n;
+      middleY += x[3 * k + 1] / n;
+    }
     for (let k = 0; k < n; k++) {
       const far = at ? Math.hypot(x[3 * k] - at[0], x[3 * k + 1] - at[1]) / radius : 0;
       const share = Math.exp(-far * far);
-      v[3 * k] += share * (velocity[0] ?? 0) - spin * (x[3 * k + 1] - my);
-      v[3 * k + 1] += share * (velocity[1] ?? 0) + spin * (x[3 * k] - mx);
-      v[3 * k + 2] += share * (velocity[2] ?? 0);
+      const own = run * per + 3 * k;
+      v[own] += share * velocity[0] - spin * (x[3 * k + 1] - middleY);
+      v[own + 1] += share * velocity[1] + spin * (x[3 * k] - middleX);
+      v[own + 2] += share * velocity[2];
     }
+    this.state = { ...this.state, v };
   }
 
   /** Node positions of a run now, world frame, m: [node][x, y, z]. */
@@ -198,18 +242,22 @@ export class Session {
     return Float32Array.from(this.state.x.subarray(run * per, (run + 1) * per));
   }
 
-  /** Pose of a run's plate at its last sample or end, m and rad. */
+  /** Pose of a run's plate now, m and rad. */
   platePose(run = 0) {
+    if (this.#clock(run, TAKEN) === 0) return poseAtStart(this.scenarios[run].motion);
     const at = run * this.engine.names.channels.length;
-    const pose = AXES.map((axis) => this.state.last[at + this.engine.channel[`plate_${axis}`]]);
-    return pose.every(Number.isFinite) ? pose : [0, 0, 0, 0, 0, 0];
+    return AXES.map((axis) => this.state.last[at + this.engine.channel[`plate_${axis}`]]);
   }
 
-  /** What each node gets from the plate now, [node][normal, along x, along y], N, and the plate: force, N, and torque, N m. */
-  forces(run = 0) {
-    const only = run === 0 && this.scenarios.length === 1 ? this : this.#alone(run);
+  /**
+   * What each node of the first run gets from the plate now, and the plate from them.
+   *
+   * @returns {{nodes: Float32Array, plate: Float32Array}} [node][normal, along x, along y], N; force, N, and torque about
+   *   the middle of the surface, N m, both in the plate's frame
+   */
+  forces() {
     const n = this.lattice.nNodes;
-    const told = only.#told([0]);
+    const told = this.#told(this.scenarios.map(() => 0));
     return this.engine.with(
       told.counts,
       { ...told.arrays, forces: { bytes: 4 * NODE_NUMBERS * n }, plate: { bytes: 4 * PLATE_NUMBERS } },
@@ -218,44 +266,15 @@ export class Session {
     );
   }
 
-  #alone(run) {
-    const other = Object.create(Session.prototype);
-    const pick = (values, per) => values.slice(run * per, (run + 1) * per);
-    const per = 3 * this.lattice.nNodes;
-    const { x, v, edge, tally, clock, last } = this.state;
-    return Object.assign(other, {
-      engine: this.engine, scenarios: [this.scenarios[run]], lattice: this.lattice, courses: [this.courses[run]],
-      stride: [this.stride[run]], thinning: [0], tabulated: [this.tabulated[run]],
-      state: { x: pick(x, per), v: pick(v, per), edge: edge.length ? pick(edge, per) : edge, tally: pick(tally, this.engine.tallies),
-        clock: pick(clock, this.engine.clocks), last: pick(last, this.engine.names.channels.length), diverged: [this.state.diverged[run]] },
-    });
-  }
-
   /** Where the runs are, to come back to. */
   save() {
-    return structuredClone({ state: this.state, scenarios: this.scenarios, courses: this.courses, stride: this.stride });
+    const { state, scenarios, courses, stride, since, wanted } = this;
+    return structuredClone({ state, scenarios, courses, stride, since, wanted });
   }
 
+  /** Go back to where the runs were. */
   restore(saved) {
-    Object.assign(this, structuredClone(saved));
+    checkSaved(saved, this);
+    Object.assign(this, structuredClone(saved), { tabulated: this.scenarios.map(() => 0), packed: null });
   }
-}
-
-const multiples = (count, of) => (of > 0 ? Math.ceil(count / of) : 0);
-
-const forgotten = (length) => Float64Array.from({ length }, (_, k) => (k % 3 === 2 ? GONE : 0));
-
-function byChannel(samples, names) {
-  const n = samples.length / names.length;
-  return Object.fromEntries(names.map((name, c) => [name, Float32Array.from({ length: n }, (_, k) => samples[k * names.length + c])]));
-}
-
-/** When the shapes of a piece were taken, and where its plate was then: they are those of samples. */
-function shownAt(channels, first, thinning, pictured) {
-  const at = [];
-  if (thinning > 0) for (let k = 0; at.length < pictured; k++) if ((first + k) % thinning === 0) at.push(k);
-  return {
-    snapshotTime: Float64Array.from(at, (k) => channels.time[k]),
-    platePose: Float32Array.from(at.flatMap((k) => AXES.map((axis) => channels[`plate_${axis}`][k]))),
-  };
 }

@@ -1,24 +1,35 @@
-// How the plate moves: sines on each degree of freedom, or a sampled trajectory, with a smooth start. As model/motion.py.
-import { Refusal, checkNumber } from "./refusal.js";
+// How the plate moves: sines on each degree of freedom, or a sampled trajectory, with a smooth start. As the package's
+// model/motion.py.
+import {
+  ANGLE, DELAY, FREQUENCY, OFFSET, PLATE_ANGLE, PLATE_STROKE, RATIO, STROKE, checkNumber, checkNumbers,
+} from "./quantity.js";
+import { Refusal, checkTable, told } from "./refusal.js";
+import { roundHalfEven } from "./rounding.js";
 
 export const AXES = ["x", "y", "z", "rx", "ry", "rz"];
-export const SHORTEST_RAMP = 1e-12; // s: the core adds as much to what it divides by
-const SHORTEST_SAMPLE = 1e-9;
-const LARGEST_SAMPLE = 1e9;
-const MOST_SAMPLES = 2_000_000;
+/** A ramp no longer than this is none, s: the core adds as much to what it divides by. */
+export const SHORTEST_RAMP = 1e-12;
+
+const SHORTEST_SAMPLE = 1e-9; // s
+const LARGEST_SAMPLE = 1e9; // m or rad
+const MOST_SAMPLES = 200_000; // of a trajectory that a page follows
 const MOST_WAVES = 100;
-const LARGEST_ANGLE = Math.PI / 2;
+const TIMES = "[0, 0.01, 0.02]";
+
+const turns = (axis) => axis.startsWith("r");
 
 /** Sines as [degree of freedom, amplitude, frequency in Hz, phase in turns]. */
-export function termsOf(motion) {
-  const waves = motion.waves.map((w) => [AXES.indexOf(w.axis), w.amplitude, w.ratio * motion.frequency, w.phase / (2 * Math.PI)]);
-  return [[0, motion.stroke, motion.frequency, 0], [3, -motion.angle, motion.frequency, 0], ...waves].filter((term) => term[1] !== 0);
-}
+export const termsOf = ({ stroke, angle, frequency, waves }) => [
+  [0, stroke, frequency, 0],
+  [3, -angle, frequency, 0],
+  ...waves.map((wave) => [AXES.indexOf(wave.axis), wave.amplitude, wave.ratio * frequency, wave.phase / (2 * Math.PI)]),
+].filter(([, amplitude]) => amplitude !== 0);
 
+/** Where the plate is held off its rest, on each axis, m and rad. */
 export const offsetOf = (motion) => AXES.map((axis) => motion.offset?.[axis] ?? 0);
 
 /** Where the plate starts from, m and rad: its offset in a smooth start. */
-export function poseAtStart(motion) {
+export const poseAtStart = (motion) => {
   const pose = offsetOf(motion);
   if (motion.ramp > SHORTEST_RAMP) return pose;
   for (const [d, amplitude, , phase] of termsOf(motion)) pose[d] += amplitude * Math.sin(2 * Math.PI * phase);
@@ -26,75 +37,90 @@ export function poseAtStart(motion) {
     if (motion.samples?.[axis]?.length) pose[d] += motion.samples[axis][0];
   });
   return pose;
-}
+};
 
-/** Period of the fastest sine, s. */
-export function shortestPeriod(motion) {
-  const fastest = Math.max(0, ...termsOf(motion).map((term) => term[2]));
+/** Period of the fastest sine, s; infinite where there is none. */
+export const shortestPeriod = (motion) => {
+  const fastest = Math.max(0, ...termsOf(motion).map(([, , frequency]) => frequency));
   return fastest > 0 ? 1 / fastest : Infinity;
-}
+};
 
-/** Time after which the sines repeat, s. */
-export function periodOf(motion) {
-  let multiple = 1;
-  for (const { ratio } of motion.waves) if (ratio !== 1) multiple = lcm(multiple, denominator(ratio, 12));
-  return Math.min(multiple / motion.frequency, 1e300);
-}
+/** Time after which the sines repeat, s: that of the frequency, or a multiple where ratios are not whole. */
+export const periodOf = ({ frequency, waves }) => {
+  const denominators = waves.filter(({ ratio }) => ratio !== 1).map(({ ratio }) => denominatorOf(ratio));
+  return Math.min(denominators.reduce(leastCommonMultiple, 1) / frequency, 1e300);
+};
 
-const gcd = (a, b) => (b ? gcd(b, a % b) : a);
-const lcm = (a, b) => (a / gcd(a, b)) * b;
+/** Denominator of the fraction nearest to a number, at most 12; the least where several are as near. */
+const denominatorOf = (number) => {
+  let [nearest, least] = [1, Infinity];
+  for (let q = 1; q <= 12; q++) {
+    const off = Math.abs(number - roundHalfEven(number * q) / q);
+    if (off < least) [nearest, least] = [q, off];
+  }
+  return nearest;
+};
 
-/** Denominator of the fraction nearest to a number, no larger than `most`. */
-function denominator(value, most) {
-  let best = 1;
-  for (let q = 1; q <= most; q++)
-    if (Math.abs(value - Math.round(value * q) / q) < Math.abs(value - Math.round(value * best) / best)) best = q;
-  return best;
-}
+const leastCommonMultiple = (a, b) => (a / greatestCommonDivisor(a, b)) * b;
+const greatestCommonDivisor = (a, b) => (b === 0 ? a : greatestCommonDivisor(b, a % b));
 
-/** (3 × 3) rotation Rx Ry Rz of a pose, rows one after the other: its columns are the plate's axes. */
-export function rotationOf(pose) {
+/** Rotation Rx Ry Rz of a pose, row by row: its columns are the plate's axes as the world sees them. */
+export const rotationOf = (pose) => {
   const [cx, cy, cz] = [Math.cos(pose[3]), Math.cos(pose[4]), Math.cos(pose[5])];
   const [sx, sy, sz] = [Math.sin(pose[3]), Math.sin(pose[4]), Math.sin(pose[5])];
-  return [cy * cz, -cy * sz, sy, cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy,
-    sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy];
-}
+  return [
+    cy * cz, -cy * sz, sy,
+    cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy,
+    sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy,
+  ];
+};
 
 /** Shortest time between two samples, s. */
-export function finestStep(samples) {
+export const finestStep = ({ time }) => {
   let finest = Infinity;
-  for (let k = 1; k < samples.time.length; k++) finest = Math.min(finest, samples.time[k] - samples.time[k - 1]);
+  for (let k = 1; k < time.length; k++) finest = Math.min(finest, time[k] - time[k - 1]);
   return finest;
-}
+};
 
-export function checkMotion(motion) {
-  const is = (name, bounds) => checkNumber(motion[name], `motion.${name}`, bounds);
-  is("frequency", { above: 0, atMost: 1e6, hint: "24" });
-  is("angle", { atLeast: -LARGEST_ANGLE, atMost: LARGEST_ANGLE, hint: "0.05" });
-  is("stroke", { atLeast: -10, atMost: 10, hint: "0.003" });
-  is("height", { atLeast: -1e3, atMost: 1e3, hint: "0" });
-  is("ramp", { atLeast: 0, atMost: 1e6, hint: "0.1" });
-  offsetOf(motion).forEach((value, d) => checkNumber(value, `motion.offset.${AXES[d]}`, { atLeast: -1e3, atMost: 1e3, hint: "0" }));
-  if (!Array.isArray(motion.waves) || motion.waves.length > MOST_WAVES)
-    throw new Refusal("motion.waves", "no list of sines", `at most ${MOST_WAVES}`, "[]");
-  motion.waves.forEach((wave, i) => {
-    if (!AXES.includes(wave?.axis)) throw new Refusal(`motion.waves.${i}.axis`, String(wave?.axis), `one of ${AXES.join(", ")}`, "z");
-    checkNumber(wave.amplitude, `motion.waves.${i}.amplitude`, { atLeast: -1e3, atMost: 1e3, hint: "0.001" });
-    checkNumber(wave.ratio, `motion.waves.${i}.ratio`, { above: 0, atMost: 1e6, hint: "2" });
-    checkNumber(wave.phase, `motion.waves.${i}.phase`, { atLeast: -1e6, atMost: 1e6, hint: "0" });
+const NUMBERS = { frequency: FREQUENCY, angle: PLATE_ANGLE, stroke: PLATE_STROKE, height: OFFSET, ramp: DELAY };
+
+/** @throws {Refusal} */
+export const checkMotion = (motion) => {
+  checkTable(motion, "motion");
+  checkNumbers(motion, "motion", NUMBERS);
+  if (motion.offset !== undefined) checkTable(motion.offset, "motion.offset");
+  offsetOf(motion).forEach((value, d) =>
+    checkNumber(value, `motion.offset.${AXES[d]}`, turns(AXES[d]) ? PLATE_ANGLE : OFFSET));
+  checkWaves(motion.waves);
+  if (motion.samples !== null && motion.samples !== undefined) checkSamples(checkTable(motion.samples, "motion.samples"));
+};
+
+const checkWaves = (waves) => {
+  const example = '[{ axis = "z", amplitude = "1 mm" }]';
+  if (!Array.isArray(waves) || waves.length > MOST_WAVES)
+    throw new Refusal("motion.waves", told(waves), `a list of at most ${MOST_WAVES} sines`, example);
+  waves.forEach((wave, i) => {
+    const field = `motion.waves.${i}`;
+    checkTable(wave, field);
+    if (!AXES.includes(wave.axis)) throw new Refusal(`${field}.axis`, told(wave.axis), `one of ${AXES.join(", ")}`, '"z"');
+    checkNumbers(wave, field, { amplitude: turns(wave.axis) ? ANGLE : STROKE, ratio: RATIO, phase: ANGLE });
   });
-  if (motion.samples !== null && motion.samples !== undefined) checkSamples(motion.samples);
-}
+};
 
-function checkSamples(samples) {
+const checkSamples = (samples) => {
   const { time } = samples;
-  const rises = Array.isArray(time) && time.length >= 2 && time.length <= MOST_SAMPLES && time[0] === 0
-    && time.every((t, k) => Number.isFinite(t) && (k === 0 || t - time[k - 1] >= SHORTEST_SAMPLE));
-  if (!rises) throw new Refusal("motion.samples.time", "no times", "2 or more finite times that rise from 0 s", "[0, 0.01, 0.02]");
+  const field = "motion.samples.time";
+  if (!Array.isArray(time) || time.length < 2 || time.length > MOST_SAMPLES)
+    throw new Refusal(field, told(time), `2 to ${MOST_SAMPLES} finite times that rise from 0 s`, TIMES);
+  const rises = time[0] === 0 && time.every((t, k) => Number.isFinite(t) && (k === 0 || t - time[k - 1] >= SHORTEST_SAMPLE));
+  if (!rises) throw new Refusal(field, told(time), `finite times that rise from 0 s by at least ${SHORTEST_SAMPLE} s`, TIMES);
   for (const axis of AXES) {
     const values = samples[axis];
-    if (!values?.length) continue;
-    if (values.length !== time.length || !values.every((v) => Number.isFinite(v) && Math.abs(v) <= LARGEST_SAMPLE))
-      throw new Refusal(`motion.samples.${axis}`, `${values.length} values`, `${time.length} finite values, one for each time`, "[0, 0, 0]");
+    if (values === undefined || values === null || values.length === 0) continue;
+    const fits = Array.isArray(values) && values.length === time.length
+      && values.every((value) => typeof value === "number" && Math.abs(value) <= LARGEST_SAMPLE);
+    if (!fits)
+      throw new Refusal(`motion.samples.${axis}`, told(values),
+        `${time.length} values, one for each time, of at most ${LARGEST_SAMPLE} in size`, TIMES);
   }
-}
+};

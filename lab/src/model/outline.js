@@ -1,26 +1,29 @@
 // Outlines that a sheet can be cut to, and the grid squares inside them. As the package's model/outline.py.
-import { Refusal, checkNumber } from "./refusal.js";
+import { LENGTH, OFFSET, checkNumber, checkNumbers, shown } from "./quantity.js";
+import { Refusal, checkTable, told } from "./refusal.js";
+import { roundHalfEven } from "./rounding.js";
 
 const MOST_SQUARES = 250_000;
 const MOST_CORNERS = 1000;
 const MOST_PIXELS = 1_000_000;
 const EDGE = 1e-9; // of a polygon's extent: what is nearer to an edge lies on it
-const LARGEST = 1e3; // m
-const LENGTH = { above: 0, atMost: LARGEST, hint: "0.04" };
+const TRIANGLE = '[["0 mm", "0 mm"], ["60 mm", "0 mm"], ["0 mm", "60 mm"]]';
+const ROWS = '[".##.", "####", ".##."]';
+const FIELD = "sheet.outline";
 
 const SHAPES = {
   disk: {
-    check: (o) => checkNumber(o.radius, "sheet.outline.radius", LENGTH),
+    check: (o) => checkNumbers(o, FIELD, { radius: LENGTH }),
     size: (o) => [2 * o.radius, 2 * o.radius],
     contains: (o) => (x, y) => Math.hypot(x, y) <= o.radius,
   },
   ellipse: {
-    check: checkSides,
+    check: (o) => checkNumbers(o, FIELD, { length: LENGTH, width: LENGTH }),
     size: (o) => [o.length, o.width],
     contains: (o) => (x, y) => Math.hypot((2 * x) / o.length, (2 * y) / o.width) <= 1,
   },
   rectangle: {
-    check: checkSides,
+    check: (o) => checkNumbers(o, FIELD, { length: LENGTH, width: LENGTH }),
     size: (o) => [o.length, o.width],
     contains: (o) => (x, y) => Math.abs(x) <= o.length / 2 && Math.abs(y) <= o.width / 2,
   },
@@ -28,35 +31,51 @@ const SHAPES = {
   mask: { check: checkRows, size: maskSize, contains: insideMask },
 };
 
-const own = (outline) => {
-  if (!outline || !Object.hasOwn(SHAPES, outline.shape))
-    throw new Refusal("sheet.outline.shape", JSON.stringify(outline?.shape ?? null), `one of ${Object.keys(SHAPES).join(", ")}`, "disk");
+const kindOf = (outline) => {
+  checkTable(outline, FIELD);
+  if (typeof outline.shape !== "string" || !Object.hasOwn(SHAPES, outline.shape))
+    throw new Refusal(`${FIELD}.shape`, told(outline.shape), `one of ${Object.keys(SHAPES).join(", ")}`, '"disk"');
   return SHAPES[outline.shape];
 };
 
-/** Length along x and width along y, m. */
-export const outlineSize = (outline) => own(outline).size(outline);
+/** @throws {Refusal} */
+export const checkOutline = (outline) => kindOf(outline).check(outline);
 
-function checkSides(o) {
-  checkNumber(o.length, "sheet.outline.length", LENGTH);
-  checkNumber(o.width, "sheet.outline.width", LENGTH);
-}
+/** Length along x and width along y, m. */
+export const outlineSize = (outline) => kindOf(outline).size(outline);
 
 function checkCorners({ corners }) {
-  const field = "sheet.outline.corners";
-  if (!Array.isArray(corners)) throw new Refusal(field, "no list", "3 or more corners", "[[0, 0], [0.06, 0], [0, 0.06]]");
-  if (corners.length > MOST_CORNERS) throw new Refusal(field, `${corners.length} corners`, `at most ${MOST_CORNERS}`, "fewer");
-  for (const corner of corners) {
-    if (!Array.isArray(corner) || corner.length !== 2) throw new Refusal(field, "a corner without two numbers", "(x, y)", "[0, 0]");
-    for (const value of corner) checkNumber(value, field, { atLeast: -LARGEST, atMost: LARGEST, hint: "0.02" });
+  const field = `${FIELD}.corners`;
+  if (!Array.isArray(corners)) throw new Refusal(field, told(corners), "a list", TRIANGLE);
+  if (corners.length > MOST_CORNERS)
+    throw new Refusal(field, `${corners.length} corners`, `at most ${MOST_CORNERS}`, "leaving out some that are near to others");
+  corners.forEach((corner, i) => {
+    if (!Array.isArray(corner) || corner.length !== 2) throw new Refusal(`${field}.${i}`, told(corner), "x and y", TRIANGLE);
+    corner.forEach((value, k) => checkNumber(value, `${field}.${i}.${k}`, OFFSET));
+  });
+  if (corners.length < 3 || !spanAnArea(corners)) {
+    const got = `${corners.length} corners${corners.length > 1 ? " on one line" : ""}`;
+    throw new Refusal(field, got, "3 or more corners that span an area", TRIANGLE);
   }
-  const spread = corners.map(([x, y]) => [x - corners[0][0], y - corners[0][1]]);
-  const most = Math.max(0, ...spread.flat().map(Math.abs));
-  // The smaller singular value of the corners about the first: none where they lie on one line.
-  const [xx, xy, yy] = spread.reduce(([a, b, c], [x, y]) => [a + x * x, b + x * y, c + y * y], [0, 0, 0]);
-  const smaller = Math.sqrt(Math.max(0, (xx + yy - Math.hypot(xx - yy, 2 * xy)) / 2));
-  if (corners.length < 3 || !(smaller > Math.max(EDGE * most, 1e-8 * Math.sqrt(xx + yy))))
-    throw new Refusal(field, `${corners.length} corners on one line`, "3 or more corners that span an area", "[[0, 0], [0.06, 0], [0, 0.06]]");
+}
+
+/** Whether corners lie off one line: by the smaller singular value of where they are from the first. */
+function spanAnArea(corners) {
+  const across = (k) => corners.map((corner) => corner[k] - corners[0][k]);
+  const dot = (a, b) => a.reduce((sum, each, i) => sum + each * b[i], 0);
+  const [x, y] = [across(0), across(1)];
+  const most = Math.max(...[...x, ...y].map(Math.abs));
+  const [longer, other] = dot(x, x) >= dot(y, y) ? [x, y] : [y, x];
+  const size = Math.sqrt(dot(longer, longer));
+  if (size === 0) return false;
+  // What of one direction is not along the other, squared off twice as the first time leaves rounding.
+  const unit = longer.map((each) => each / size);
+  const part = dot(other, unit);
+  const once = other.map((each, i) => each - part * unit[i]);
+  const rest = dot(once, unit);
+  const off = Math.hypot(...once.map((each, i) => each - rest * unit[i]));
+  const larger = Math.sqrt((size ** 2 + part ** 2 + off ** 2 + Math.sqrt((size ** 2 + part ** 2 + off ** 2) ** 2 - 4 * (size * off) ** 2)) / 2);
+  return (size * off) / larger > EDGE * most;
 }
 
 function extent(corners, k) {
@@ -97,13 +116,14 @@ function insidePolygon(outline) {
 }
 
 function checkRows(o) {
-  checkNumber(o.width_of_picture, "sheet.outline.width_of_picture", LENGTH);
-  const field = "sheet.outline.rows";
+  checkNumbers(o, FIELD, { width_of_picture: LENGTH });
+  const field = `${FIELD}.rows`;
   const { rows } = o;
   if (!Array.isArray(rows) || !rows.length || rows.some((row) => typeof row !== "string" || row.length !== rows[0].length))
-    throw new Refusal(field, "no picture", "rows of equal length", '[".##.", "####"]');
-  if (rows.length * rows[0].length > MOST_PIXELS) throw new Refusal(field, "too large a picture", `at most ${MOST_PIXELS} pixels`, "a smaller one");
-  if (!rows.some((row) => row.includes("#"))) throw new Refusal(field, "nothing dark in the picture", "# where the sheet is", '[".##.", "####"]');
+    throw new Refusal(field, told(rows), "rows of equal length", ROWS);
+  if (rows.length * rows[0].length > MOST_PIXELS)
+    throw new Refusal(field, `${rows[0].length} × ${rows.length} pixels`, `at most ${MOST_PIXELS} of them`, "a smaller copy");
+  if (!rows.some((row) => row.includes("#"))) throw new Refusal(field, "nothing dark in the picture", "a dark object on a light ground", ROWS);
 }
 
 /** Rows and columns of a picture that hold its sheet: [first row, last row, first column, last column]. */
@@ -131,37 +151,31 @@ function insideMask(outline) {
   };
 }
 
-/** Half to even, as Python rounds. */
-const rounded = (value) => {
-  const floor = Math.floor(value);
-  if (value - floor !== 0.5) return Math.round(value);
-  return floor % 2 === 0 ? floor : floor + 1;
-};
-
 /**
  * Grid squares whose middle lies inside an outline; the grid is centred on the outline's bounding box.
  *
  * @returns {{columns: number, rows: number, inside: Uint8Array}} `inside[i * rows + j]`, column i along x
  */
 export function occupiedSquares(outline, pitch) {
-  const shape = own(outline);
-  shape.check(outline);
-  checkNumber(pitch, "sheet.pitch", { above: 0, atMost: LARGEST, hint: "0.01" });
-  const size = shape.size(outline);
-  const [columns, rows] = size.map((each) => Math.max(1, rounded(Math.min(each / pitch, 1e9))));
+  const kind = kindOf(outline);
+  const size = kind.size(outline);
+  const [columns, rows] = size.map((extent) => Math.max(1, roundHalfEven(Math.min(extent / pitch, 1e9))));
+  const wide = shown(pitch, LENGTH);
   if (columns * rows > MOST_SQUARES)
-    throw new Refusal("sheet.pitch", `${1000 * pitch} mm`, `coarse enough for at most ${MOST_SQUARES} squares`, `${Math.max(...size) * 10} mm`);
-  const contains = shape.contains(outline);
+    throw new Refusal("sheet.pitch", wide, `coarse enough for at most ${MOST_SQUARES} squares`, shown(Math.max(...size) / 100, LENGTH));
+  const contains = kind.contains(outline);
   const inside = new Uint8Array(columns * rows);
   // A hair inwards, so that a middle on the very edge falls the same way on every side.
-  for (let i = 0; i < columns; i++) {
-    const x = (i - (columns - 1) / 2) * pitch * (1 - 1e-12);
-    for (let j = 0; j < rows; j++) inside[i * rows + j] = contains(x, (j - (rows - 1) / 2) * pitch * (1 - 1e-12)) ? 1 : 0;
-  }
-  const finer = `${Number((1e3 * Math.min(Math.min(...size) / 8, pitch / 2)).toPrecision(3))} mm`;
-  if (!inside.includes(1)) throw new Refusal("sheet.pitch", `${1000 * pitch} mm`, "fine enough for at least one grid square inside the outline", finer);
+  const middle = (k, count) => (k - (count - 1) / 2) * pitch * (1 - 1e-12);
+  for (let i = 0; i < columns; i++)
+    for (let j = 0; j < rows; j++) inside[i * rows + j] = contains(middle(i, columns), middle(j, rows)) ? 1 : 0;
+  const finer = shown(Number(Math.min(Math.min(...size) / 8, pitch / 2).toPrecision(3)), LENGTH);
+  if (!inside.includes(1))
+    throw new Refusal("sheet.pitch", wide, "fine enough for at least one grid square inside the outline", finer);
   const pieces = countPieces(inside, columns, rows);
-  if (pieces > 1) throw new Refusal("sheet.outline", `${pieces} separate pieces at a pitch of ${1000 * pitch} mm`, "one connected piece", `a finer pitch such as ${finer}`);
+  if (pieces > 1)
+    throw new Refusal(FIELD, `${pieces} separate pieces at a pitch of ${wide}`, "one connected piece",
+      `a mask without gaps, or a finer pitch such as ${finer}`);
   return { columns, rows, inside };
 }
 

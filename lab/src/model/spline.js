@@ -1,11 +1,15 @@
 // Tables of a sampled trajectory for the core: position and speed on each axis, from natural cubic splines.
 import { AXES } from "./motion.js";
+import { Refusal } from "./refusal.js";
+
+const MOST_KNOTS = 2_000_000;
 
 /** Position and speed every `step` s, [n][12], to a knot past `end` or past the last sample, whichever is first. */
 export function knotsOf(samples, step, end) {
   const last = samples.time.at(-1);
-  const until = Math.min(last, end) + 2 * step;
-  const n = Math.max(2, Math.ceil(until / step - 1e-12));
+  const n = Math.ceil((Math.min(last, end) + 2 * step) / step);
+  if (!(n <= MOST_KNOTS))
+    throw new Refusal("motion.samples", `${n} knots`, `at most ${MOST_KNOTS}`, "samples further apart, or a shorter run");
   const table = new Float64Array(12 * n);
   AXES.forEach((axis, d) => {
     const values = samples[axis];

@@ -1,11 +1,6 @@
 // Arithmetic of samples over time, with numpy's rules, so that both languages measure alike.
 
-/** Nearest whole number, halves to the even one. */
-export const roundHalfEven = (x) => {
-  const below = Math.floor(x);
-  if (x - below !== 0.5) return Math.round(x);
-  return below % 2 === 0 ? below : below + 1;
-};
+export { roundHalfEven } from "../model/rounding.js";
 
 /** Values at `x` by straight lines between samples, the ends' values beyond them. */
 export const interpolate = (x, time, values) => {

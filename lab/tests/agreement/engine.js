@@ -1,0 +1,78 @@
+// What the lab's model and engine make of scenarios that the package sends as JSON on standard input.
+import { readFileSync } from "node:fs";
+import { Answers } from "../../src/engine/answers.js";
+import { loadEngine } from "../../src/engine/module.js";
+import { Session } from "../../src/engine/session.js";
+import { courseOf } from "../../src/model/course.js";
+import { naturalFrequency } from "../../src/model/modes.js";
+import { featuresOf, packCourses, packParameters } from "../../src/model/packing.js";
+import { startPositions, stepsOf, strideOf } from "../../src/model/recording.js";
+import { checkScenario, latticeOf, timeStep } from "../../src/model/scenario.js";
+
+const { engine: bytes, told = [], runs = [], repeats = 1, refused = [], sessions = [], sheets = [] } =
+  JSON.parse(readFileSync(0, "utf8"));
+const engine = await loadEngine(readFileSync(bytes));
+const answers = new Answers(engine);
+
+/** Numbers as they are, of any kind. */
+const coded = (array) => ({
+  kind: array.constructor.name.replace("Big", "").replace("Array", "").toLowerCase(),
+  bytes: Buffer.from(array.buffer, array.byteOffset, array.byteLength).toString("base64"),
+});
+
+/** What the core is told of one run, by the names of the package's packing. */
+const toldOf = (s) => {
+  const lattice = latticeOf(s.sheet);
+  const course = packCourses([s], [courseOf(s.motion)], [stepsOf(s) * timeStep(s)]);
+  return {
+    numbers: { steps: stepsOf(s), stride: strideOf(s), dt: timeStep(s), n_axial_lines: lattice.axial },
+    arrays: Object.fromEntries(Object.entries({
+      line_start: lattice.lineStart, line_nodes: lattice.lineNodes, cells: lattice.cells, rest: lattice.rest,
+      parameters: packParameters(engine.names.parameters, [s]), features: Int32Array.from(featuresOf([s])),
+      layer_terms: course.layerTerms, term_dof: course.termDof, terms: course.terms, layers: course.layers,
+      knots: course.knots, first_knot: course.firstKnot, n_knots: course.nKnots, start: startPositions(s),
+    }).map(([name, array]) => [name, coded(array)])),
+  };
+};
+
+/** The field that a scenario is refused for, or null. */
+const fieldRefused = (s) => {
+  try {
+    checkScenario(s);
+    return null;
+  } catch (error) {
+    return { field: error.field ?? "", message: error.message };
+  }
+};
+
+const asked = (message) => {
+  const { reply } = answers.to({ id: 0, ...message });
+  if (reply.refused) throw new Error(`${reply.refused.field}: ${reply.refused.message}`);
+  return reply;
+};
+
+const channelsOf = ({ channels, diverged, steps }) => ({
+  diverged, steps, channels: Object.fromEntries(Object.entries(channels).map(([name, array]) => [name, coded(array)])),
+});
+
+/** A sheet that is told of changes on its way, each as {seconds, change?, become?, push?}. */
+const lived = ({ scenario, ways }) => {
+  const session = new Session(engine, [scenario]);
+  return ways.map(({ seconds, change, become, push }) => {
+    if (change) session.change(0, change.motion, change.ramp);
+    if (become) session.become(0, become.scenario, become.ramp);
+    if (push) session.push(0, push);
+    return channelsOf(session.advance({ seconds })[0]);
+  });
+};
+
+// Numbers that JSON cannot hold go as words.
+const worded = (_, value) => (typeof value === "number" && !Number.isFinite(value) ? String(value) : value);
+process.stdout.write(JSON.stringify({
+  told: told.map(toldOf),
+  recordings: runs.length ? asked({ ask: "run", scenarios: runs }).recordings.map(channelsOf) : [],
+  observations: runs.length ? asked({ ask: "observe", scenarios: runs, repeats, seed: 0 }).observations : [],
+  refused: refused.map(fieldRefused),
+  sessions: sessions.map(lived),
+  frequencies: sheets.map(naturalFrequency),
+}, worded));
