@@ -65,6 +65,6 @@ test("a measurement leaves out half of a short run at most", () => {
 });
 
 test("least squares of rows that do not tell everything is the shortest", () => {
-  assert.deepEqual(leastSquares([[0, 0], [2, 0]], [5, 4]).map((x) => Math.round(1e9 * x) / 1e9), [2, 0]);
+  assert.deepEqual(leastSquares([[0, 2], [0, 0]], [5, 4]).map((x) => Math.round(1e9 * x) / 1e9), [2, 0]);
   near(rootBetween((x) => x ** 3 - 2, 0, 4, 1e-12), Math.cbrt(2), 1e-11);
 });

@@ -105,27 +105,30 @@ const startsOf = ({ x, v }) => {
   const top = v.reduce((best, value, i) => (Math.abs(value) > Math.abs(v[best]) ? i : best), 0);
   const about = x.map((value) => value - x[top]);
   const plain = [0, x[v.indexOf(Math.max(...v))], Math.log(0.25)];
-  const [c0, c1, c2] = leastSquares(about.map((value, i) => [1, value, value * value].map((c) => v[i] ** 2 * c)), v);
+  const [c0, c1, c2] = leastSquares([0, 1, 2].map((power) => about.map((value, i) => v[i] ** 2 * value ** power)), v);
   const base = c2 > 0 ? c0 - c1 ** 2 / (4 * c2) : 0;
   if (!(base > 0)) return [[0, x[top], Math.log(0.25)], plain];
   return [[-Math.log(base), x[top] - c1 / (2 * c2), Math.log(base / c2) / 2], plain];
 };
 
-/** Line, distance from f0 in half widths, and half width. */
-const lineOf = ({ x }, p) => {
+const residualOf = ({ x, v, w }, p) => {
   const [peak, halfWidth] = [Math.exp(clipped(p[0])), Math.exp(clipped(p[2]))];
-  const u = x.map((value) => (value - p[1]) / halfWidth);
-  return { line: u.map((value) => peak / (1 + value ** 2)), u, halfWidth };
+  return Float64Array.from(x, (value, i) => w[i] * (peak / (1 + ((value - p[1]) / halfWidth) ** 2) - v[i]));
 };
 
-const residualOf = (curve, p) => lineOf(curve, p).line.map((value, i) => curve.w[i] * (value - curve.v[i]));
-
-const jacobianOf = (curve, p) => {
-  const { line, u, halfWidth } = lineOf(curve, p);
-  return line.map((value, i) => {
-    const common = (curve.w[i] * value * 2 * u[i]) / (1 + u[i] ** 2);
-    return [curve.w[i] * value, common / halfWidth, common * u[i]];
-  });
+/** Derivatives of the residuals by each parameter, one column (n,) each. */
+const jacobianOf = ({ x, w }, p) => {
+  const [peak, halfWidth] = [Math.exp(clipped(p[0])), Math.exp(clipped(p[2]))];
+  const columns = [0, 1, 2].map(() => new Float64Array(x.length));
+  for (let i = 0; i < x.length; i++) {
+    const u = (x[i] - p[1]) / halfWidth;
+    const line = (w[i] * peak) / (1 + u * u);
+    const common = (line * 2 * u) / (1 + u * u);
+    columns[0][i] = line;
+    columns[1][i] = common / halfWidth;
+    columns[2][i] = common * u;
+  }
+  return columns;
 };
 
 /** Lowest of the minima reached from `starts`, one parameter held if asked: parameters and weighted sum of squares. */
@@ -135,7 +138,7 @@ const bestOf = (curve, starts, held = -1) => {
     const whole = (part) => start.map((value, i) => (i === held ? value : part[free.indexOf(i)]));
     const { p, cost } = minimise(
       (part) => residualOf(curve, whole(part)),
-      (part) => jacobianOf(curve, whole(part)).map((row) => free.map((i) => row[i])),
+      (part) => jacobianOf(curve, whole(part)).filter((_, i) => i !== held),
       free.map((i) => start[i]), EVALUATIONS,
     );
     return { p: whole(p).map(clipped), cost };
@@ -161,7 +164,7 @@ const hasRival = (curve, cost, endsInFailure) => {
 const monotoneCost = (curve, fallingOnly) => {
   const { x, v, w } = curve;
   const line = (weights, values) =>
-    leastSquares(x.map((value, i) => [weights[i], weights[i] * value]), values.map((value, i) => weights[i] * value));
+    leastSquares([weights, x.map((value, i) => weights[i] * value)], values.map((value, i) => weights[i] * value));
   const positive = v.map((value) => Math.max(value, 0));
   const straight = line(w, v);
   const power = line(w.map((value, i) => value * positive[i]), positive.map((value) => (value > 0 ? Math.log(value) : 0)));

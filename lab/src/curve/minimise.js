@@ -5,11 +5,14 @@
 const TOLERANCE = 1e-10;
 const FLAT = 1e-15;
 
-const squares = (values) => values.reduce((sum, value) => sum + value * value, 0);
+const dot = (a, b) => {
+  let sum = 0;
+  for (let k = 0; k < a.length; k++) sum += a[k] * b[k];
+  return sum;
+};
 
-/** AᵀA of rows. */
-export const normalMatrix = (rows) =>
-  rows[0].map((_, i) => rows[0].map((_, j) => rows.reduce((sum, row) => sum + row[i] * row[j], 0)));
+/** AᵀA of columns. */
+export const normalMatrix = (columns) => columns.map((one) => columns.map((other) => dot(one, other)));
 
 /** Pseudo-inverse of a symmetric matrix, by Jacobi's rotations. */
 export const pseudoInverse = (matrix, least = 1e-15) => {
@@ -40,11 +43,11 @@ const rotate = (a, vectors, p, q) => {
   for (const row of vectors) [row[p], row[q]] = turned(row[p], row[q]);
 };
 
-/** Linear least squares: the shortest x of those that bring `rows` x nearest to `values`. */
-export const leastSquares = (rows, values) => {
-  const inverse = pseudoInverse(normalMatrix(rows));
-  const right = rows[0].map((_, i) => rows.reduce((sum, row, k) => sum + row[i] * values[k], 0));
-  return inverse.map((row) => row.reduce((sum, value, i) => sum + value * right[i], 0));
+/** Linear least squares: the shortest x of those that bring the columns' sum by x nearest to `values`. */
+export const leastSquares = (columns, values) => {
+  const inverse = pseudoInverse(normalMatrix(columns));
+  const right = columns.map((column) => dot(column, values));
+  return inverse.map((row) => dot(row, right));
 };
 
 /** x of a positive definite matrix and a right side, by Cholesky; null where the matrix is not. */
@@ -73,16 +76,16 @@ const solve = (matrix, right) => {
  * Least squares from `start` by Levenberg and Marquardt: parameters, and sum of squares.
  *
  * @param residual parameters → (n,) residuals
- * @param jacobian parameters → (n,) rows of derivatives
+ * @param jacobian parameters → columns (n,) of derivatives, one for each parameter
  */
 export const minimise = (residual, jacobian, start, evaluations) => {
   let [p, r, damping, used] = [start, residual(start), 1e-3, 1];
-  let cost = squares(r);
+  let cost = dot(r, r);
   const scale = start.map(() => 0);
   while (used < evaluations) {
-    const rows = jacobian(p);
-    const matrix = normalMatrix(rows);
-    const slope = p.map((_, i) => rows.reduce((sum, row, k) => sum - row[i] * r[k], 0));
+    const columns = jacobian(p);
+    const matrix = normalMatrix(columns);
+    const slope = columns.map((column) => -dot(column, r));
     matrix.forEach((row, i) => (scale[i] = Math.max(scale[i], row[i])));
     if (slope.every((value, i) => Math.abs(value) <= TOLERANCE * Math.sqrt(matrix[i][i] * cost))) break;
     let [length, gain] = [Infinity, -1];
@@ -90,7 +93,7 @@ export const minimise = (residual, jacobian, start, evaluations) => {
       const step = solve(matrix.map((row, i) => row.map((value, j) => value + (i === j ? damping * (scale[i] || 1) : 0))), slope);
       const tried = step && p.map((value, i) => value + step[i]);
       const reached = step ? residual(tried) : r;
-      const next = step ? squares(reached) : Infinity;
+      const next = step ? dot(reached, reached) : Infinity;
       length = step ? Math.max(...step.map(Math.abs)) : Infinity;
       used++;
       if (next <= cost) [gain, p, r, cost, damping] = [cost - next, tried, reached, next, Math.max(damping / 10, 1e-15)];

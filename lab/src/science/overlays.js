@@ -7,12 +7,13 @@ const MOST_CURVES = 60;
 
 /** Curves over the frequency that a store holds, one for each combination of its other parameters. */
 export const storedCurves = (payload, units = {}) => {
-  if (payload?.kind !== "store" || !Array.isArray(payload.points)) return [];
+  if (payload?.kind !== "store" || !Array.isArray(payload.points) || !Array.isArray(payload.parameters)) return [];
   const names = payload.parameters.map(({ name }) => name);
   const which = names.indexOf("motion.frequency");
   if (which < 0) return [];
   const curves = new Map();
   for (const { at, spin_rate: rate } of payload.points) {
+    if (!Array.isArray(at) || !Number.isFinite(at[which])) continue; // data that were damaged on their way
     const others = names.map((name, i) => (i === which ? "" : worded(name, at[i], payload.parameters[i], units))).filter(Boolean);
     const name = others.join(", ") || String(payload.name ?? "store");
     if (!curves.has(name) && curves.size >= MOST_CURVES) continue;
