@@ -117,8 +117,8 @@ export class Desk {
     this.tell("change");
   }
 
-  /** Another scenario, laid down anew; what is wrong with it is said. */
-  set(scenario) {
+  /** Another scenario, laid down anew, and what its plate will be told; what is wrong with it is said. */
+  set(scenario, told = []) {
     try {
       checkScenario(scenario);
     } catch (error) {
@@ -128,7 +128,7 @@ export class Desk {
     const seat = this.seats[this.selected];
     this.before.push([this.selected, seat.scenario]);
     seat.scenario = scenario;
-    seat.live.start(scenario);
+    seat.live.start(scenario, told);
     this.play(true);
     this.tell("change");
     return true;
@@ -176,7 +176,7 @@ export class Desk {
   }
 
   restart() {
-    for (const { live, scenario } of this.seats) live.start(scenario);
+    for (const { live, scenario } of this.seats) live.start(scenario, live.plan);
     this.play(true);
   }
 

@@ -36,7 +36,9 @@ export function layers(stage, scenes, desk) {
   });
   const kick = button("Kick", () => desk.push(desk.selected, { velocity: [0, 0.15, 0], spin: 0 }),
     { title: "A push across the bar (k); or drag on the sheet" });
-  stage.append(make("div", { class: "layers", role: "group", "aria-label": "What is drawn" }, ...boxes, height, from, kick));
+  const all = make("details", { class: "drawn", open: !matchMedia("(max-width: 900px)").matches }, make("summary", {}, "What is drawn"),
+    make("div", { class: "layers", role: "group", "aria-label": "What is drawn" }, ...boxes, height, from, kick));
+  stage.append(all);
   apply();
   return { apply };
 }

@@ -26,16 +26,25 @@ export class Live {
     this.pace = { wall: 0, from: 0, speed: 0 };
     this.run = 0;
     this.ended = "";
+    this.plan = [];
+    this.script = [];
     this.frames = new Frames();
     this.samples = new Samples();
     this.queue = Promise.resolve();
     this.pending = false;
   }
 
-  /** Lay a sheet down, at rest, at time 0. */
-  start(scenario) {
+  /**
+   * Lay a sheet down, at rest, at time 0.
+   *
+   * @param {object} scenario
+   * @param {{time: number, motion: object, within: number}[]} [told] what its plate will be told, in the order of times
+   */
+  start(scenario, told = []) {
     const run = ++this.run;
     this.scenario = scenario;
+    this.plan = told;
+    this.script = [...told];
     this.order(async () => {
       if (run !== this.run) return; // another was laid down meanwhile
       this.frames = new Frames();
@@ -53,6 +62,8 @@ export class Live {
     const way = wayTo(this.scenario, scenario);
     if (way === "anew" || this.ended) return this.start(scenario);
     this.scenario = scenario;
+    this.plan = [];
+    this.script = [];
     if (way === "motion")
       this.order(() => this.worker.ask({ ask: "change", key: this.key, motion: scenario.motion, ramp: scenario.motion.ramp }));
     if (way === "become") this.order(() => this.worker.ask({ ask: "become", key: this.key, scenario }));
@@ -75,9 +86,20 @@ export class Live {
     return this.queue;
   }
 
-  async advance(seconds, frames) {
+  /** Tell the plate what it is to be told by now; how long it is until it is told more, s. */
+  async prompted() {
+    const now = this.frames.last?.time ?? 0;
+    while (this.script.length && this.script[0].time <= now + 1e-6) {
+      const { motion, within } = this.script.shift();
+      await this.worker.ask({ ask: "change", key: this.key, motion, ramp: within });
+    }
+    return this.script.length ? this.script[0].time - now : Infinity;
+  }
+
+  async advance(wanted, frames) {
     const run = this.run;
     this.pending = true;
+    const seconds = Math.min(wanted, await this.prompted());
     const began = performance.now();
     const reply = await this.worker.ask({ ask: "advance", key: this.key, seconds, frames });
     this.pending = false;

@@ -98,11 +98,11 @@ function courseOf(live) {
   const frame = live.frame;
   return {
     channels, period, rateTime, rate, ledger,
-    drift: Float64Array.from(drifts.subarray ? drifts.subarray(begin) : drifts.slice(begin), (each) => each * 1000),
+    drift: Float64Array.from(channels.time, (time, k) => (time <= end - period / 2 ? drifts[begin + k] * 1000 : NaN)),
     now: {
       turned: whole[whole.length - 1] - whole[0], contact: mean(channels.contact), bending: mean(channels.bend_rms),
       force: frame?.plate ? -frame.plate[2] : NaN,
-      books: !ledger ? "–" : `close to ${trimmed(Math.abs(ledger.residual ?? NaN) * 100, 2)} %`,
+      books: !ledger ? "–" : `close to ${trimmed(Math.abs(ledger.relativeResidual) * 100, 2)} %`,
     },
   };
 }

@@ -28,7 +28,7 @@ export const withUnit = (value, field, digits = 4) => `${shown(value, field, dig
 
 /** A unit as people write it. */
 export const pretty = (unit) =>
-  unit.replaceAll("*", "\u202f").replace("^2", "²").replace("^3", "³").replace(/\bdeg\b/g, "°").replace("mm/deg", "mm/°");
+  unit.replaceAll("*", "\u202f").replace("pi rad", "π rad").replace("^2", "²").replace("^3", "³").replace(/\bdeg\b/g, "°").replace("mm/deg", "mm/°");
 
 /** Why a value in SI cannot be, in one line; null where it can. */
 export function fault(value, field) {

@@ -27,10 +27,13 @@ export function reading(scenario, samples, diverged) {
   const legs = ["left_contact", "right_contact", "flight"].map((name) =>
     periodMeans(recent.time, recent[name], period, start, end));
   const drifts = slip(all.time, all.centre_x, all.centre_y, period);
+  // The swing of the last half period is not averaged out yet.
+  let whole = n - 1;
+  while (whole > 0 && all.time[whole] > end - period / 2) whole--;
   const moves = [recent.centre_x, recent.centre_y, angle];
   return {
     rate: spin.rate, low: spin.low, high: spin.high, time: end, gait: gait(...legs),
-    drift: drifts[Math.max(0, drifts.length - 1)], failure, twist: Array.from(twist(recent.time, moves, period, start, end).mean),
+    drift: drifts[whole], failure, twist: Array.from(twist(recent.time, moves, period, start, end).mean),
   };
 }
 

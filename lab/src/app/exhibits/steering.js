@@ -22,14 +22,19 @@ export function steered(element, desk, scenes) {
       desk.sit(new Replay(payload.scenario, frames, {}, told), { ...payload.scenario, name: "as steered" });
       mark();
     }),
+    payload.told?.length
+      ? button("Steer it again here", () => {
+        const told = payload.told.map(({ time, motion, within }) => ({ time, within, motion: payload.motions[motion] }));
+        if (desk.set({ ...payload.scenario, duration: Math.max(payload.scenario.duration, frames.at(-1).time) }, told))
+          desk.tell("notice", "The plate is told what it was told then: the sheet goes its own way there");
+      })
+      : null,
     make("p", { class: "note" }, "The file holds where the object was, not how it bent: it is drawn flat."),
   );
-  const mark = () => {
-    const seat = desk.seats[1];
-    if (!seat?.live.recorded) return;
-    const now = [...goals].reverse().find((each) => each.from <= seat.live.clock) ?? goals[0];
-    scenes[1]?.view.setGoal({ x: now.x, y: now.y, angle: now.angle ?? 0 });
-  };
+  const mark = () => desk.seats.forEach(({ live }, k) => {
+    const now = [...goals].reverse().find((each) => each.from <= live.clock) ?? goals[0];
+    scenes[k]?.view.setGoal(live.recorded || live.plan.length ? { x: now.x, y: now.y, angle: now.angle ?? 0 } : null);
+  });
   desk.on("drawn", mark);
 }
 
