@@ -63,7 +63,7 @@ export class Scene {
     if (now - this.readAt < READ_EVERY) return;
     this.readAt = now;
     this.read = reading(live.scenario, live.samples, live.ended === "diverged");
-    const text = inWords(this.read);
+    const text = live.recorded && live.samples.length < 4 ? "as recorded" : inWords(this.read);
     if (this.word.textContent !== text) {
       this.word.textContent = text;
       this.word.classList.toggle("failed", Boolean(this.read.failure));
