@@ -42,6 +42,7 @@ export const GROUPS = [
       ["friction.static", "Static friction μ_s", 0, 2, false],
       ["friction.kinetic", "Kinetic friction μ_k", 0, 2, false],
       ["friction.transition_speed", "Transition speed V", 1, 1000, true],
+      ["friction.kinetic_speed_ratio", "Full μ_k at … times V", 1.1, 100, true],
       ["contact.stiffness", "Contact stiffness", 0.5, 200, true],
       ["contact.damping", "Contact damping", 0, 0.1, false],
       ["contact.damping_ramp", "Depth of full damping", 0, 1, false],

@@ -54,8 +54,11 @@ export function nowTab(element, desk, scenes) {
     const read = scenes[desk.selected]?.read;
     if (!read || live.samples.length < 4) return;
     const course = courseOf(live);
+    // Of two sheets both numbers, each after its letter.
+    const both = desk.seats.map((seat, k) => [scenes[k]?.read, k === desk.selected ? course : seat.live.samples.length < 4 ? null : courseOf(seat.live)]);
     NUMBERS.forEach(([, say], k) => {
-      const text = say(read, course.now);
+      const words = both.map(([own, its]) => (own && its ? say(own, its.now) : "–"));
+      const text = words.length > 1 ? words.map((word, j) => `${"AB"[j]} ${word}`).join("   ") : words[0];
       if (values[k][1].textContent !== text) values[k][1].textContent = text;
     });
     const { channels, period } = course;

@@ -7,7 +7,9 @@ const LONGEST = 20_000;
 export function fragmentOf(scenario, facts) {
   const name = Object.hasOwn(facts.presets, scenario.name) ? scenario.name : Object.keys(facts.presets)[0];
   const preset = facts.presets[name].scenario;
-  const changed = Object.fromEntries(differences(preset, scenario).map((field) => [field, plain(scenario, field)]));
+  // An outline goes as a whole: what tells one kind is no part of another.
+  const names = differences(preset, scenario).map((field) => (field.startsWith("sheet.outline.") ? "sheet.outline" : field));
+  const changed = Object.fromEntries([...new Set(names)].map((field) => [field, plain(scenario, field)]));
   return `#${encodeURIComponent(JSON.stringify({ v: 1, of: name, with: changed }))}`;
 }
 
