@@ -43,6 +43,9 @@ export class Frames {
   }
 }
 
+// Channels that hold amounts since the sample before: what is forgotten of them is in the next that is kept.
+const AMOUNTS = new Set(["joint_loss", "contact_work", "friction_loss", "plate_work"]);
+
 /** Samples of all channels side by side, growing; of a long run the middle is forgotten, and never the first. */
 export class Samples {
   constructor() {
@@ -64,7 +67,10 @@ export class Samples {
     this.length += more;
     if (this.length > MOST_SAMPLES) {
       const gone = this.length - MOST_SAMPLES / 2;
-      for (const values of Object.values(this.channels)) values.copyWithin(1, 1 + gone, this.length);
+      for (const [name, values] of Object.entries(this.channels)) {
+        if (AMOUNTS.has(name)) values[1 + gone] += values.subarray(1, 1 + gone).reduce((sum, value) => sum + value, 0);
+        values.copyWithin(1, 1 + gone, this.length);
+      }
       this.length -= gone;
     }
   }

@@ -3,6 +3,7 @@ import { energyLedger as ledgerChart } from "../charts/energy.js";
 import { gaitDiagram } from "../charts/gait.js";
 import { timeSeries } from "../charts/series.js";
 import { energyLedger } from "../simulation/energy.js";
+import { least } from "../simulation/observe.js";
 import { rotation, slip } from "../simulation/observables.js";
 import { periodOf } from "../model/motion.js";
 import { make } from "./elements.js";
@@ -94,7 +95,7 @@ function courseOf(live) {
   const [rateTime, rate] = perPeriod(channels.time, angle, period);
   const drifts = slip(all.time, all.centre_x, all.centre_y, period);
   const begin = samples.length - channels.time.length;
-  const ledger = energyLedger(all);
+  const ledger = energyLedger(all, least(scenario));
   const n = channels.time.length - 1;
   const mean = (values) => values.subarray(Math.max(0, n - 24)).reduce((sum, each) => sum + each, 0) / Math.min(n + 1, 25);
   const whole = rotation(all.spin_cross, all.spin_dot);
@@ -105,7 +106,7 @@ function courseOf(live) {
     now: {
       turned: whole[whole.length - 1] - whole[0], contact: mean(channels.contact), bending: mean(channels.bend_rms),
       force: frame?.plate ? -frame.plate[2] : NaN,
-      books: !ledger ? "–" : `close to ${trimmed(Math.abs(ledger.relativeResidual) * 100, 2)} %`,
+      books: !ledger ? "–" : `close to ${trimmed(ledger.imbalance * 100, 2)} %`,
     },
   };
 }
