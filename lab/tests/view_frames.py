@@ -99,14 +99,8 @@ def frames_of(scenario: Scenario, name: str) -> dict[str, object]:
     speed = np.gradient(onto[..., :2], time, axis=0)
     size = np.linalg.norm(speed, axis=-1, keepdims=True)
     friction = -scenario.friction.kinetic * normal[..., None] * speed / np.maximum(size, 0.06)
-    lattice = scenario.sheet.lattice
     return {
         "scenario": json.loads(run.model_dump_json()),
-        "lattice": {
-            "columns": lattice.occupied.shape[0],
-            "rows": lattice.occupied.shape[1],
-            "squares": lattice.squares.ravel().tolist(),
-        },
         "time": time.tolist(),
         "nodes": packed(nodes),
         "pose": packed(pose),

@@ -1,4 +1,5 @@
 // Shows frames in the picture alone, as a test tells it to: bundled with view.js into view_page.html.
+import { latticeOf } from "../src/model/scenario.js";
 import { View } from "../src/view/view.js";
 
 const numbers = (text) => new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
@@ -20,7 +21,7 @@ globalThis.harness = {
   },
   lay(run) {
     this.run = unpack(run);
-    this.view.setSheet(this.run.scenario, this.run.lattice);
+    this.view.setSheet(this.run.scenario, latticeOf(this.run.scenario.sheet));
   },
   show(k) {
     return this.view.show(this.run.frames[k]);

@@ -44,6 +44,9 @@ export const checkOutline = (outline) => kindOf(outline).check(outline);
 /** Length along x and width along y, m. */
 export const outlineSize = (outline) => kindOf(outline).size(outline);
 
+/** A test of points about the middle of the bounding box, m. @returns {(x: number, y: number) => boolean} */
+export const insideOf = (outline) => kindOf(outline).contains(outline);
+
 function checkCorners({ corners }) {
   const field = `${FIELD}.corners`;
   if (!Array.isArray(corners)) throw new Refusal(field, told(corners), "a list", TRIANGLE);

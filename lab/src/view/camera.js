@@ -20,7 +20,8 @@ export class ViewCamera {
     this.camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 10);
     this.camera.up.set(0, 0, 1);
     this.target = new Vector3();
-    this.half = [0.06, 0.06];
+    this.corners = [[0.06, 0.06]];
+    this.reach = 0.06;
     this.zoom = 1;
     this.riding = false;
     this.named = "default";
@@ -30,9 +31,10 @@ export class ViewCamera {
     this.look("default");
   }
 
-  /** Show a plate that reaches this far along x and y, m. */
-  frame(half) {
-    this.half = half;
+  /** @param {number[][]} corners of what should be in the picture, on the plate, m */
+  frame(corners) {
+    this.corners = corners;
+    this.reach = Math.max(...corners.map(([x, y]) => Math.hypot(x, y)));
     this.look(this.named);
   }
 
@@ -77,7 +79,7 @@ export class ViewCamera {
   /** Keep a place in the picture, as long as nobody has moved it by hand; whether the picture moved. */
   follow(x, y) {
     if (this.panned) return false;
-    const room = 0.55 * Math.min(...this.half) * Math.max(this.zoom, 0.5);
+    const room = 0.4 * this.reach * Math.max(this.zoom, 0.5);
     const dx = x - this.target.x, dy = y - this.target.y, off = Math.hypot(dx, dy);
     if (off <= room) return false;
     this.target.x += (dx * (off - room)) / off;
@@ -109,8 +111,7 @@ export class ViewCamera {
   fitting() {
     const tall = Math.tan((FIELD_OF_VIEW * RAD) / 2), { azimuth: a, elevation: e } = this;
     let distance = 0;
-    for (let k = 0; k < 4; k++) {
-      const x = this.half[0] * (k & 1 ? 1 : -1), y = this.half[1] * (k & 2 ? 1 : -1);
+    for (const [x, y] of this.corners) {
       const right = -Math.sin(a) * x + Math.cos(a) * y, inward = Math.cos(a) * x + Math.sin(a) * y;
       const up = -Math.sin(e) * inward, near = Math.cos(e) * inward;
       distance = Math.max(distance, near + Math.abs(right) / (tall * this.aspect * FILLED[0]), near + Math.abs(up) / (tall * FILLED[1]));

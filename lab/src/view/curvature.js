@@ -1,10 +1,9 @@
 // How the sheet is bent at each node.
-import { latticeGrid } from "./surface.js";
 
 /** Mean curvature at the nodes, 1/m: positive where the sheet is a dome seen from its upper side. */
 export class Curvature {
   constructor(sheet, lattice) {
-    const { squares, nNodes, rows } = latticeGrid(lattice);
+    const { squares, nNodes, rows } = lattice;
     const at = new Map();
     for (let k = 0; k < nNodes; k++) at.set(squares[2 * k] * (rows + 2) + squares[2 * k + 1], k);
     const neighbour = (k, di, dj) => at.get((squares[2 * k] + di) * (rows + 2) + squares[2 * k + 1] + dj) ?? -1;
@@ -22,7 +21,7 @@ export class Curvature {
     const { neighbours, values } = this;
     this.most = 0;
     for (let k = 0; k < values.length; k++) {
-      const [a, b, c, d] = [neighbours[4 * k], neighbours[4 * k + 1], neighbours[4 * k + 2], neighbours[4 * k + 3]];
+      const a = neighbours[4 * k], b = neighbours[4 * k + 1], c = neighbours[4 * k + 2], d = neighbours[4 * k + 3];
       let nx = frame[2], ny = frame[5], nz = frame[8];
       const along = a >= 0 && b >= 0, across = c >= 0 && d >= 0;
       if (along && across) {

@@ -1,6 +1,7 @@
 // The picture without WebGL: from above and along the bar, drawn on a plain canvas.
 import { css, mix } from "./colours.js";
 import { intoWorld } from "./frame.js";
+import { arrowLength, nodeShare } from "./loads.js";
 import { drawNotes } from "./notes.js";
 import { limitCircle } from "./trail.js";
 
@@ -21,7 +22,7 @@ export class FlatPicture {
     const { plate } = shown.scenario, far = REACH * Math.max(...shown.surface.size);
     this.half = plate ? [plate.length / 2, plate.width / 2] : [far, far];
     this.limit = limitCircle(shown.scenario);
-    return this.half;
+    return [[this.half[0], this.half[1]]];
   }
 
   recolour(colours) {
@@ -96,7 +97,7 @@ export class FlatPicture {
   drawSheet(line, layers) {
     const { pen, colours, shown } = this, { surface, onPlate, nNodes, forces, hasForces } = shown;
     pen.beginPath();
-    this.traceEdge(line);
+    this.traceEdge();
     pen.fillStyle = css(colours.sheet);
     pen.fill("evenodd");
     pen.strokeStyle = css(mix(colours.sheet, colours.ink, 0.6));
@@ -111,6 +112,7 @@ export class FlatPicture {
       if (touches && layers.contact) pen.fill();
       else pen.fillRect(x + scale * onPlate[3 * k] - 1, y - scale * onPlate[3 * k + 1] - 1, 2, 2);
     }
+    if (layers.forces && hasForces) this.drawFriction(line);
     const cos = Math.cos(surface.angle), sin = Math.sin(surface.angle), far = 0.4 * surface.size[0];
     pen.lineWidth = 3;
     pen.strokeStyle = css(mix(colours.ink, colours.accent, 0.4));
@@ -118,6 +120,22 @@ export class FlatPicture {
     line([cx + 0.5 * far * cos, cy + 0.5 * far * sin, cx + far * cos, cy + far * sin], false);
     pen.stroke();
     pen.lineWidth = 1;
+  }
+
+  /** A line from each node along its friction, as long as in the other picture. */
+  drawFriction(line) {
+    const { pen, colours, shown } = this, { onPlate, forces, nNodes, surface, scenario } = shown;
+    const share = nodeShare(scenario, nNodes);
+    pen.strokeStyle = css(colours.accent);
+    pen.lineWidth = 2;
+    for (let k = 0; k < nNodes; k++) {
+      const x = onPlate[3 * k], y = onPlate[3 * k + 1];
+      const long = arrowLength(forces[3 * k + 1], forces[3 * k + 2], share) * surface.pitch;
+      if (!(forces[3 * k] > 0 && long > 0)) continue;
+      const size = Math.hypot(forces[3 * k + 1], forces[3 * k + 2]);
+      line([x, y, x + (long * forces[3 * k + 1]) / size, y + (long * forces[3 * k + 2]) / size], false);
+      pen.stroke();
+    }
   }
 
   /** The sheet's edge as the plate sees it. */

@@ -5,14 +5,14 @@ import { sharedUniforms } from "./light.js";
 import { Marks } from "./marks.js";
 import { Notes } from "./notes.js";
 import { PlateMesh } from "./plate.js";
+import { Print } from "./print.js";
 import { PushArrow } from "./push.js";
-import { Rulers } from "./ruler.js";
 import { Shadow } from "./shadow.js";
 import { SheetMesh } from "./sheet_mesh.js";
 import { Trail } from "./trail.js";
 
 /** How much of a leg's colour the sheet has while it touches, and while it is lifted. */
-const TOUCHING = 0.75, LIFTED = 0.25;
+const TOUCHING = 0.88, LIFTED = 0.3;
 const MOST_PIXELS_PER_PX = 2;
 /** Width and height, px, up to which a picture that stands still is drawn finer by the processor. */
 const MOST_STILL = 1600;
@@ -60,11 +60,11 @@ export class GlPicture {
     this.ghost = new Contour(surface, shared, { width: 4 });
     this.cloud = new Cloud(scenario, shown.lattice, shared);
     this.arrow = new PushArrow(surface.size, shared);
-    this.rulers = new Rulers(this.plate.shown, this.plate.pitch);
-    this.parts = [this.plate, this.sheet, this.marks, this.trail, this.goal, this.ghost, this.cloud, this.arrow, this.rulers];
-    this.onPlate.add(...this.trail.meshes, this.goal.mesh, this.ghost.mesh, this.arrow.mesh, this.rulers.group);
+    this.print = new Print(this.plate.shown, this.plate.pitch);
+    this.parts = [this.plate, this.sheet, this.marks, this.trail, this.goal, this.ghost, this.cloud, this.arrow, this.print];
+    this.onPlate.add(...this.trail.meshes, this.goal.mesh, this.ghost.mesh, this.arrow.mesh, this.print.group);
     this.world.add(this.onPlate, this.plate.group, this.sheet.group, this.marks.group, this.cloud.group);
-    return this.plate.shown;
+    return this.plate.corners;
   }
 
   recolour(colours) {
@@ -117,6 +117,7 @@ export class GlPicture {
     else this.arrow.hide();
     this.notes.say(asked.said, this.colours, this.ratio);
     this.shared.uEye.value.copy(view.camera.position);
+    this.shared.uClear.value = clearness(view.elevation);
     renderer.render(this.scene, view.camera);
   }
 
@@ -133,6 +134,7 @@ export class GlPicture {
     sheet.showBent(layers.bending);
     if (layers.bending) said.most = shown.bent(layers.bending, sheet.bent);
     const on = layers.legs && !layers.bending;
+    this.print.names.visible = on;
     sheet.showLegs(on ? (touching.left ? TOUCHING : LIFTED) : 0, on ? (touching.right ? TOUCHING : LIFTED) : 0);
     sheet.update(frame, this.leastSlope(exaggerated));
     this.marks.group.visible = layers.contact || layers.forces;
@@ -174,6 +176,9 @@ export class GlPicture {
     this.renderer.dispose();
   }
 }
+
+/** What lies flat can be read from above and not along the plate: it fades out, and has gone before it is in the way. */
+const clearness = (elevation) => Math.min(1, Math.max(0, (Math.abs(Math.sin(elevation)) - 0.1) / 0.12));
 
 /** Whether the processor draws, and no graphics card: then every pixel counts. */
 const drawnByProcessor = () => {

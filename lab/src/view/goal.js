@@ -1,8 +1,9 @@
 // What the sheet is compared with: where it should go, where a film saw it, and what else it may be.
-import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, ShaderMaterial, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, ShaderMaterial, Vector2, Vector3 } from "three";
 import { plateFrame, ontoPlate, FRAME_SIZE } from "./frame.js";
 import { HALFWAY, LIT } from "./light.js";
 import { Lines } from "./lines.js";
+import { markersOn } from "./sheet_mesh.js";
 import { SheetSurface } from "./surface.js";
 
 /** The sheet's outline lying flat on the plate, with a line from its middle to where its x points. */
@@ -42,12 +43,16 @@ export class Contour {
 const VERTEX = /* glsl */ `
   ${HALFWAY}
   uniform mat3 uTurn;
-  varying float vEdge;
+  attribute vec2 rest;
+  attribute float inner;
+  varying vec2 vRest;
+  varying float vInner;
   void main() {
     vec4 at = modelMatrix * vec4(position, 1.0);
     vec3 up = normalize(uTurn * normal);
     face(up, at.xyz);
-    vEdge = 1.0 - abs(dot(up, normalize(uEye - at.xyz)));
+    vRest = rest;
+    vInner = inner;
     gl_Position = projectionMatrix * viewMatrix * at;
   }
 `;
@@ -55,10 +60,14 @@ const VERTEX = /* glsl */ `
 const FRAGMENT = /* glsl */ `
   ${LIT}
   uniform vec3 uColour;
-  varying float vEdge;
+  uniform vec2 uHalf, uPlace;
+  varying vec2 vRest;
+  varying float vInner;
   void main() {
     vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
-    gl_FragColor = vec4(uColour * matt(normal), 0.13 + 0.3 * vEdge * vEdge);
+    float edge = clamp(1.5 - vInner / (fwidth(vInner) + 1e-9), 0.0, 1.0);
+    vec2 off = clamp(0.5 - (abs(vRest - uPlace) - uHalf) / (fwidth(vRest) + 1e-9), 0.0, 1.0);
+    gl_FragColor = vec4(uColour * matt(normal), max(0.012, max(0.5 * edge, 0.35 * off.x * off.y)));
   }
 `;
 
@@ -70,9 +79,10 @@ export class Cloud {
   constructor({ sheet, motion }, lattice, shared) {
     Object.assign(this, { sheet, lattice, height: motion.height });
     this.group = new Group();
-    this.uniforms = { ...shared, uColour: { value: new Vector3() } };
+    this.uniforms = { ...shared, uColour: { value: new Vector3() }, uHalf: { value: new Vector2() }, uPlace: { value: new Vector2() } };
     this.material = new ShaderMaterial({
-      vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, transparent: true, depthWrite: false, side: DoubleSide,
+      vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, transparent: true, depthWrite: false,
+      depthTest: false, side: DoubleSide,
     });
     this.surface = null;
     this.frame = new Float64Array(FRAME_SIZE);
@@ -84,7 +94,7 @@ export class Cloud {
 
   /** @param {{nodes: Float32Array, pose: ArrayLike<number>}[]} frames one of each sheet; those of other sheets are left out */
   show(frames) {
-    this.surface ??= frames.length ? new SheetSurface(this.sheet, this.lattice, CELLS) : null;
+    if (frames.length && !this.surface) this.prepare();
     const drawn = frames.filter(({ nodes }) => nodes.length === 3 * this.surface.nNodes).slice(0, MOST);
     while (this.group.children.length < drawn.length) this.group.add(this.another());
     this.group.children.forEach((mesh, k) => {
@@ -92,6 +102,16 @@ export class Cloud {
       if (mesh.visible) this.put(drawn[k], mesh.geometry.attributes);
     });
     return drawn.length;
+  }
+
+  prepare() {
+    this.surface = new SheetSurface(this.sheet, this.lattice, CELLS);
+    const { cut, centroid, nVertices } = this.surface, markers = markersOn(this.surface);
+    this.uniforms.uHalf.value.set(...markers.half);
+    this.uniforms.uPlace.value.set(...markers.outer);
+    this.rest = new BufferAttribute(new Float32Array(2 * nVertices), 2);
+    for (let k = 0; k < nVertices; k++) this.rest.setXY(k, cut.x[k] - centroid[0], cut.y[k] - centroid[1]);
+    this.inner = new BufferAttribute(Float32Array.from(cut.inner, (from, k) => (from === k ? 1 : 0)), 1);
   }
 
   put({ nodes, pose }, { position, normal }) {
@@ -108,6 +128,7 @@ export class Cloud {
     const geometry = new BufferGeometry(), n = 3 * this.surface.nVertices;
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(n), 3).setUsage(DynamicDrawUsage));
     geometry.setAttribute("normal", new BufferAttribute(new Float32Array(n), 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute("rest", this.rest).setAttribute("inner", this.inner);
     geometry.setIndex(new BufferAttribute(Uint16Array.from(this.surface.cut.triangles), 1));
     const mesh = new Mesh(geometry, this.material);
     mesh.frustumCulled = false;

@@ -6,11 +6,11 @@ export const LIGHT = new Vector3(0.5, -0.42, 0.85).normalize();
 
 /**
  * What all materials share: the light, how normals turn from the data's world to the drawn one, the picture's size, px,
- * and how many of them a CSS px is.
+ * how many of them a CSS px is, and how clearly what lies flat on the plate is seen.
  */
 export const sharedUniforms = () => ({
   uLight: { value: LIGHT }, uTurn: { value: new Matrix3() }, uViewport: { value: new Vector2(1, 1) },
-  uRatio: { value: 1 }, uEye: { value: new Vector3() },
+  uRatio: { value: 1 }, uClear: { value: 1 }, uEye: { value: new Vector3() },
 });
 
 /** GLSL for vertices: halfway between the light and the eye; every lit surface hands it on with its normal. */

@@ -1,5 +1,7 @@
 // Lines of one width on the screen, whole or dashed, on the plate and over what lies on it: a quad for each piece.
-import { BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
+import {
+  BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3,
+} from "three";
 
 const VERTEX = /* glsl */ `
   uniform vec2 uViewport;
@@ -27,7 +29,7 @@ const VERTEX = /* glsl */ `
 
 const FRAGMENT = /* glsl */ `
   uniform vec3 uColour, uHalo;
-  uniform float uWidth, uRatio, uDash;
+  uniform float uWidth, uRatio, uDash, uClear;
   varying float vAlong, vAcross;
   void main() {
     float inwards = 0.5 * uWidth * uRatio + 0.5 - abs(vAcross), alpha = clamp(inwards, 0.0, 1.0);
@@ -36,7 +38,7 @@ const FRAGMENT = /* glsl */ `
       float px = fwidth(vAlong) / uDash + 1e-6;
       alpha *= clamp((0.28 - abs(fract(vAlong / uDash) - 0.5)) / px + 0.5, 0.0, 1.0);
     }
-    gl_FragColor = vec4(mix(uHalo, uColour, core), alpha * mix(0.7, 1.0, core));
+    gl_FragColor = vec4(mix(uHalo, uColour, core), alpha * uClear * mix(0.7, 1.0, core));
   }
 `;
 

@@ -1,9 +1,9 @@
 // What the nodes get from the plate: a disc where one touches, its area the normal force; an arrow for the friction.
-import { BufferAttribute, DynamicDrawUsage, Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
-
-/** Radius of a disc and length of an arrow over the pitch, at the node's share of the sheet's weight; and the most. */
-const RADIUS = 0.1, MOST_RADIUS = 0.36, LENGTH = 0.45, MOST_LENGTH = 1.8;
-const LEAST_ARROW = 0.08; // of the pitch; shorter ones are left out
+import {
+  BufferAttribute, DynamicDrawUsage, Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial,
+  Vector3,
+} from "three";
+import { arrowLength, discRadius, nodeShare } from "./loads.js";
 
 const AT = /* glsl */ `
   uniform mat3 uTurn;
@@ -31,6 +31,7 @@ const DISC = /* glsl */ `
 
 const DISC_FRAGMENT = /* glsl */ `
   uniform vec3 uColour, uHalo;
+  uniform float uClear;
   varying vec2 vPlace;
   varying float vRadius;
   void main() {
@@ -38,7 +39,7 @@ const DISC_FRAGMENT = /* glsl */ `
     float alpha = clamp((1.0 - r) / px + 0.5, 0.0, 1.0);
     float inner = clamp((1.0 - r) / px - 0.8, 0.0, 1.0);
     if (alpha <= 0.0) discard;
-    gl_FragColor = vec4(mix(uHalo, uColour, inner), alpha * mix(0.9, 0.78, inner));
+    gl_FragColor = vec4(mix(uHalo, uColour, inner), alpha * uClear * mix(0.9, 0.78, inner));
   }
 `;
 
@@ -51,29 +52,30 @@ const ARROW = /* glsl */ `
   void main() {
     float length_ = length(way);
     vec2 along = length_ > 0.0 ? way / length_ : vec2(1.0, 0.0);
-    float head = min(0.34 * uPitch, 0.6 * length_), neck = length_ - head;
+    float head = min(0.3 * uPitch, 0.6 * length_), neck = length_ - head;
     float s = position.x < -0.5 ? 0.0 : position.x < 0.5 ? neck : length_;
     float out_ = grown * 0.035 * uPitch;
     s += position.x < -0.5 ? -out_ : position.x < 0.5 ? -out_ : 2.2 * out_;
-    float width = abs(position.y) > 1.5 ? 0.5 * head + 1.6 * out_ : 0.065 * uPitch + out_;
+    float width = abs(position.y) > 1.5 ? 0.5 * head + 1.6 * out_ : 0.05 * uPitch + out_;
     gl_Position = place(along * s + vec2(-along.y, along.x) * sign(position.y) * width);
   }
 `;
 
 const ARROW_FRAGMENT = /* glsl */ `
   uniform vec3 uColour;
+  uniform float uClear;
   void main() {
-    gl_FragColor = vec4(uColour, 1.0);
+    gl_FragColor = vec4(uColour, uClear);
   }
 `;
 
 export class Marks {
   /** @param {object} scenario @param {number} nNodes @param {object} shared uniforms */
-  constructor({ sheet, gravity }, nNodes, shared) {
+  constructor(scenario, nNodes, shared) {
+    const { sheet } = scenario;
     this.nNodes = nNodes;
     this.pitch = sheet.pitch;
-    /** A node's share of the weight, N: of this a disc is `RADIUS` pitches wide. */
-    this.share = Math.max((sheet.mass * Math.max(gravity, 0.1)) / nNodes, 1e-12);
+    this.share = nodeShare(scenario, nNodes);
     this.node = new InstancedBufferAttribute(new Float32Array(3 * nNodes), 3).setUsage(DynamicDrawUsage);
     this.radius = new InstancedBufferAttribute(new Float32Array(nNodes), 1).setUsage(DynamicDrawUsage);
     this.base = new InstancedBufferAttribute(new Float32Array(3 * nNodes), 3).setUsage(DynamicDrawUsage);
@@ -131,17 +133,15 @@ export class Marks {
       const normal = forces ? forces[3 * k] : onPlate[3 * k + 2] <= 0 ? this.share : 0;
       if (!(normal > 0)) continue;
       if (layers.contact) {
-        const radius = layers.forces ? RADIUS * Math.sqrt(normal / this.share) : RADIUS;
         copyNode(nodes, k, this.node.array, discs);
-        this.radius.array[discs++] = this.pitch * Math.min(Math.max(radius, 0.06), MOST_RADIUS);
+        this.radius.array[discs++] = this.pitch * discRadius(layers.forces ? normal : this.share, this.share);
       }
       if (!layers.forces || !forces) continue;
-      const fx = forces[3 * k + 1], fy = forces[3 * k + 2], friction = Math.hypot(fx, fy);
-      const length = Math.min((LENGTH * friction) / this.share, MOST_LENGTH);
-      if (!(length > LEAST_ARROW)) continue;
+      const fx = forces[3 * k + 1], fy = forces[3 * k + 2], long = this.pitch * arrowLength(fx, fy, this.share);
+      if (long === 0) continue;
       copyNode(nodes, k, this.base.array, arrows);
-      this.way.array[2 * arrows] = (this.pitch * length * fx) / friction;
-      this.way.array[2 * arrows++ + 1] = (this.pitch * length * fy) / friction;
+      this.way.array[2 * arrows] = (long * fx) / Math.hypot(fx, fy);
+      this.way.array[2 * arrows++ + 1] = (long * fy) / Math.hypot(fx, fy);
     }
     this.discs.geometry.instanceCount = discs;
     this.arrows.geometry.instanceCount = this.halos.geometry.instanceCount = arrows;

@@ -80,9 +80,10 @@ export class PlateMesh {
     this.shadow = shadow;
     this.endless = plate === null || plate === undefined;
     const far = WITHOUT_END * Math.max(...size);
-    /** Half the length and width of what is drawn, m; what the camera should show of it. */
+    /** Half the length and width of what is drawn, m; of what is measured; and what the camera should show of it. */
     this.half = this.endless ? [far, far] : [plate.length / 2, plate.width / 2];
     this.shown = this.endless ? [SHOWN * far, SHOWN * far] : this.half;
+    this.corners = cornersOf(this.shown, this.endless);
     this.slab = 2 * SLAB * Math.min(...this.shown);
     this.bar = 2 * BAR * Math.min(...this.shown);
     /** Between lines of the grid, m. */
@@ -147,6 +148,12 @@ export class PlateMesh {
     });
   }
 }
+
+/** Of a plate with an end its corners; of one without as much around the middle. */
+const cornersOf = ([a, b], endless) => {
+  if (!endless) return [[-a, -b], [a, -b], [a, b], [-a, b]];
+  return Array.from({ length: 8 }, (_, k) => [1.2 * a * Math.cos((k * Math.PI) / 4), 1.2 * b * Math.sin((k * Math.PI) / 4)]);
+};
 
 const geometryOf = (positions, normals, index) => {
   const geometry = new BufferGeometry();

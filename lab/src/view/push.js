@@ -6,14 +6,14 @@ const HEAD = 0.28; // of the arrow's length, at most of a third of the sheet
 export class PushArrow {
   constructor(size, shared) {
     this.most = Math.max(...size) / 9;
-    this.lines = new Lines(3, shared, { width: 6 });
+    this.lines = new Lines(3, shared, { width: 8 });
     this.mesh = this.lines.mesh;
     this.mesh.renderOrder = 9;
     this.mesh.visible = false;
   }
 
-  recolour({ accent, paper }) {
-    this.lines.colour(accent, paper);
+  recolour({ ink, paper }) {
+    this.lines.colour(ink, paper);
   }
 
   /** From one place to another, in the plate's frame. */

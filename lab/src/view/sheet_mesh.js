@@ -47,9 +47,13 @@ const FRAGMENT = /* glsl */ `
     return edge.x * edge.y;
   }
   void main() {
-    vec2 square = abs(fract(vRest / (2.0 * uSquare)) * 2.0 - 1.0) * 2.0 - 1.0;
     vec2 px = fwidth(vRest) + 1e-9;
-    vec2 check = clamp(square * uSquare / (2.0 * px), -1.0, 1.0);
+    #ifdef RIM
+      vec2 check = vec2(0.0);
+    #else
+      vec2 square = abs(fract(vRest / (2.0 * uSquare)) * 2.0 - 1.0) * 2.0 - 1.0;
+      vec2 check = clamp(square * uSquare / (2.0 * px), -1.0, 1.0);
+    #endif
     float side = clamp(vSide / (fwidth(vSide) + 1e-9) + 0.5, 0.0, 1.0);
     vec3 leg = mix(uRight, uLeft, side);
     vec3 colour = mix(uSheet, leg, uLegs * mix(uTouch.y, uTouch.x, side));
@@ -134,17 +138,23 @@ export class SheetMesh {
   }
 }
 
-const uniformsOf = (surface) => {
-  const { cut, centroid, size } = surface, half = Math.min(...size) / 2;
+/** Markers form a radial line: half their size, and where the outer one is from the middle, m. */
+export const markersOn = ({ cut, centroid, size, nVertices }) => {
+  const half = Math.min(...size) / 2;
   let far = 0;
-  for (let k = 0; k < surface.nVertices; k++)
+  for (let k = 0; k < nVertices; k++)
     if (Math.abs(cut.y[k] - centroid[1]) < 0.1 * half) far = Math.max(far, cut.x[k] - centroid[0]);
+  return { half: [0.17 * half, 0.085 * half], outer: [0.78 * far, 0] };
+};
+
+const uniformsOf = (surface) => {
+  const { size } = surface, markers = markersOn(surface);
   return {
     uThickness: { value: surface.thickness }, uCentre: { value: new Vector3() }, uAcross: { value: new Vector3() },
     uSheet: { value: new Vector3() }, uMarker: { value: new Vector3() }, uLeft: { value: new Vector3() },
     uRight: { value: new Vector3() }, uColours: { value: [new Vector3(), new Vector3(), new Vector3()] },
-    uHalf: { value: new Vector2(0.17 * half, 0.085 * half) }, uTouch: { value: new Vector2() },
-    uPlace: { value: new Vector2(0.78 * far, 0) }, uLegs: { value: 0 }, uBent: { value: 0 },
+    uHalf: { value: new Vector2(...markers.half) }, uTouch: { value: new Vector2() },
+    uPlace: { value: new Vector2(...markers.outer) }, uLegs: { value: 0 }, uBent: { value: 0 },
     uSquare: { value: Math.max(...size) / 8 },
   };
 };

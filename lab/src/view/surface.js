@@ -1,42 +1,31 @@
 // The sheet's lower face: a smooth surface through its nodes, cut to its outline.
-import { insideOf, sizeOf } from "./outline_shape.js";
+import { insideOf, outlineSize } from "../model/outline.js";
 import { LatticeSpline } from "./spline.js";
 import { cutGrid } from "./trimming.js";
 
 /** Cells along the sheet's longer side, and least along the shorter. */
 const CELLS = 44, LEAST_CELLS = 14, MOST_VERTICES = 4000;
 
-/** What is asked of a lattice: how many columns and rows of squares, and those that carry a node, in order. */
-export const latticeGrid = (lattice) => {
-  const pairs = Array.isArray(lattice.squares?.[0]) ? lattice.squares.flat() : lattice.squares;
-  let columns = lattice.columns ?? 0, rows = lattice.rows ?? 0;
-  for (let k = 0; k < pairs.length; k += 2) {
-    columns = Math.max(columns, pairs[k] + 1);
-    rows = Math.max(rows, pairs[k + 1] + 1);
-  }
-  return { columns, rows, squares: pairs, nNodes: pairs.length / 2 };
-};
-
 export class SheetSurface {
   /**
    * @param {object} sheet of a scenario: outline, pitch, thickness
-   * @param {object} lattice its nodes
+   * @param {import("../model/lattice.js").Lattice} lattice its nodes
    * @param {number} [cells] along the longer side
    */
   constructor(sheet, lattice, cells = CELLS) {
-    const grid = latticeGrid(lattice), { pitch } = sheet;
-    this.nNodes = grid.nNodes;
+    const { columns, rows, squares, nNodes } = lattice, { pitch } = sheet;
+    this.nNodes = nNodes;
     this.pitch = pitch;
     this.thickness = sheet.thickness;
-    this.size = sizeOf(sheet.outline);
-    const middle = [(grid.columns - 1) / 2, (grid.rows - 1) / 2];
-    this.cut = cutGrid(insideNear(sheet, grid, middle), ...gridLines(this.size, cells));
+    this.size = outlineSize(sheet.outline);
+    const middle = [(columns - 1) / 2, (rows - 1) / 2];
+    this.cut = cutGrid(insideNear(sheet, lattice, middle), ...gridLines(this.size, cells, STRAIGHT.has(sheet.outline.shape)));
     const { x, y } = this.cut;
     this.nVertices = x.length;
-    this.spline = new LatticeSpline(grid.squares, x.map((at) => at / pitch + middle[0]), y.map((at) => at / pitch + middle[1]));
-    this.rest = restOf(grid.squares, pitch);
+    this.spline = new LatticeSpline(squares, x.map((at) => at / pitch + middle[0]), y.map((at) => at / pitch + middle[1]));
+    this.rest = restOf(squares, pitch);
     /** Centroid of the nodes, m from the outline's middle. */
-    this.centroid = [0, 1].map((d) => meanOf(grid.squares, d) * pitch - middle[d] * pitch);
+    this.centroid = [0, 1].map((d) => meanOf(squares, d) * pitch - middle[d] * pitch);
     this.area = areaOf(this.cut);
     this.points = new Float32Array(3 * this.nVertices);
     this.normals = new Float32Array(3 * this.nVertices);
@@ -106,14 +95,18 @@ export class SheetSurface {
   }
 }
 
-/** Lines of a grid that spans the outline, with one more all around. */
-const gridLines = (size, cells) => {
+/** Outlines that lie along their bounding box; others only touch it. */
+const STRAIGHT = new Set(["rectangle", "mask"]);
+
+/** Lines of a grid that spans the outline, with one more all around: the outermost along the box, or half a cell off. */
+const gridLines = (size, cells, straight) => {
   const longer = Math.max(...size), shorter = Math.min(...size);
   let step = Math.min(longer / cells, shorter / LEAST_CELLS);
   step = Math.max(step, Math.sqrt((longer * shorter) / MOST_VERTICES), longer / 400);
   return size.map((extent) => {
     const n = Math.max(2, Math.round(extent / step));
-    return Float64Array.from({ length: n + 3 }, (_, k) => ((k - 1) / n - 0.5) * extent);
+    const first = straight ? -1 : -0.5;
+    return Float64Array.from({ length: straight ? n + 3 : n + 2 }, (_, k) => ((k + first) / n - 0.5) * extent);
   });
 };
 

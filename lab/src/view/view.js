@@ -86,14 +86,14 @@ export class View {
    * @param {object} scenario @param {object} lattice of its sheet
    */
   setSheet(scenario, lattice) {
-    const before = this.half?.join();
+    const before = this.corners?.join();
     this.shown = new Shown(scenario, lattice);
-    this.half = this.picture.build(this.shown);
+    this.corners = this.picture.build(this.shown);
     this.picture.recolour(this.colours);
     this.stand?.build(this.shown);
     this.held = this.asked.push = null;
     this.asked.cloud = [];
-    if (this.half.join() !== before) this.camera.frame(this.half);
+    if (this.corners.join() !== before) this.camera.frame(this.corners);
     this.redraw();
   }
 

@@ -1,0 +1,18 @@
+// How large forces are drawn: by a node's share of the sheet's weight.
+
+/** Radius of a disc and length of an arrow over the pitch, at the node's share of the weight; and the most. */
+const RADIUS = 0.1, LEAST_RADIUS = 0.06, MOST_RADIUS = 0.36, LENGTH = 0.45, MOST_LENGTH = 1.8;
+const LEAST_LENGTH = 0.08; // shorter arrows are left out
+
+/** A node's share of the sheet's weight, N. */
+export const nodeShare = ({ sheet, gravity }, nNodes) => Math.max((sheet.mass * Math.max(gravity, 0.1)) / nNodes, 1e-12);
+
+/** Radius over the pitch of the disc that stands for a normal force: its area goes with the force, as far as there is room. */
+export const discRadius = (normal, share) =>
+  Math.min(Math.max(RADIUS * Math.sqrt(normal / share), LEAST_RADIUS), MOST_RADIUS);
+
+/** Length over the pitch of the arrow that stands for a friction; 0 where there is too little for one. */
+export const arrowLength = (fx, fy, share) => {
+  const length = Math.min((LENGTH * Math.hypot(fx, fy)) / share, MOST_LENGTH);
+  return length > LEAST_LENGTH ? length : 0;
+};
