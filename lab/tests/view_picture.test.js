@@ -1,9 +1,9 @@
 // What needs no WebGL of the picture: pointing, pushing, the way so far, shadow, scales, camera.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { latticeOf, startPositions } from "../src/model/scenario.js";
+import { latticeOf } from "../src/model/scenario.js";
 import { ViewCamera, VIEWS } from "../src/view/camera.js";
-import { FRAME_SIZE, plateFrame } from "../src/view/frame.js";
+import { FRAME_SIZE, intoWorld, plateFrame } from "../src/view/frame.js";
 import { arrowLength, discRadius } from "../src/view/loads.js";
 import { scaleInWords } from "../src/view/notes.js";
 import { FASTEST, meetPlane, nearestNode, PER_DRAG, pushOf, wayOf } from "../src/view/pointing.js";
@@ -92,11 +92,14 @@ test("legs are the halves on either side of the bar's direction, and touch as th
   assert.deepEqual(shown.touching, { left: true, right: true });
 });
 
-test("a sheet laid down as the engine lays it lies where its scenario says", () => {
-  const laid = { ...scenario, start: { x: 0.02, y: -0.01, angle: 0.4 }, contact: { stiffness: 11860, tile_area: 1e-4 } };
-  laid.motion = { frequency: 24, angle: 0.05, stroke: 0.003, height: 0.005, ramp: 0.1, offset: {}, waves: [], samples: null };
-  const shown = new Shown(laid, lattice), nodes = Float32Array.from(startPositions(laid));
-  assert.ok(shown.take({ ...still, nodes }));
+test("a sheet lies where its scenario laid it, as the plate has it", () => {
+  const shown = new Shown(scenario, lattice), nodes = flat(), pose = [0.01, 0.02, 0.003, 0.1, -0.05, 0.2];
+  const frame = frameOf(pose, scenario.motion.height), cos = Math.cos(0.4), sin = Math.sin(0.4);
+  for (let k = 0; k < nodes.length; k += 3) {
+    const x = nodes[k], y = nodes[k + 1];
+    nodes.set(intoWorld(frame, 0.02 + cos * x - sin * y, -0.01 + sin * x + cos * y, 0, [0, 0, 0]), k);
+  }
+  assert.ok(shown.take({ pose, time: 0, nodes }));
   close(shown.surface.centre[0], 0.02, 1e-7);
   close(shown.surface.centre[1], -0.01, 1e-7);
   close(shown.surface.angle, 0.4, 1e-6);
