@@ -43,15 +43,17 @@ export const plotIn = (el, options, data) => {
   const size = () => ({ width: Math.max(el.clientWidth, 120), height: Math.max(el.clientHeight, 80) });
   let drawn = null;
   let waiting = data;
+  let stale = false;
   const show = () => {
     // Not while the page hides it: it has no size then.
-    if (!el.clientWidth) return;
+    stale = !el.clientWidth;
+    if (stale) return;
     if (drawn) drawn.setData(waiting);
     else drawn = new uPlot({ ...size(), legend: { show: false }, cursor: { show: false }, ...options }, waiting, frame);
   };
   const resize = () => {
     if (!el.clientWidth) return;
-    if (!drawn) show();
+    if (!drawn || stale) show();
     const now = size();
     if (drawn.width !== now.width || drawn.height !== now.height) drawn.setSize(now);
   };
