@@ -14,6 +14,8 @@ export const axis = (label, given = {}) => ({
   stroke: () => colours.muted,
   grid: { stroke: () => colours.line, width: 1 },
   ticks: { stroke: () => colours.line, width: 1, size: 5 },
+  // Six digits: what is left of a step's rounding is not read, and large numbers stay short.
+  values: (_, splits) => splits.map((value) => read(value, 6)),
   ...given,
 });
 
