@@ -6,6 +6,7 @@ import { ViewCamera, VIEWS } from "../src/view/camera.js";
 import { FRAME_SIZE, intoWorld, plateFrame } from "../src/view/frame.js";
 import { arrowLength, discRadius } from "../src/view/loads.js";
 import { scaleInWords } from "../src/view/notes.js";
+import { Pace } from "../src/view/pace.js";
 import { FASTEST, meetPlane, nearestNode, PER_DRAG, pushOf, wayOf } from "../src/view/pointing.js";
 import { marksAlong } from "../src/view/print.js";
 import { CELLS, Shadow } from "../src/view/shadow.js";
@@ -185,4 +186,21 @@ test("a sheet that wanders stays in the picture, until somebody moves it by hand
   assert.ok(view.target.x > 0.2);
   view.pan(0.1, 0);
   assert.equal(view.follow(3, 0), false);
+});
+
+test("pictures become coarser where they are late one after the other, and finer again where they are not", () => {
+  const pace = new Pace();
+  let now = 0;
+  const draw = (took, finished, times) => {
+    for (let k = 0; k < times; k++) pace.next((now += took), finished);
+    return pace.ratio;
+  };
+  assert.equal(draw(16, false, 200), 1); // the screen asks more often than a picture takes
+  assert.equal(draw(40, true, 200), 1); // slow for other reasons
+  assert.equal(draw(2000, false, 50), 1); // paused
+  for (let k = 0; k < 100; k++) draw(40, k % 2 === 0, 1); // now and then
+  assert.equal(pace.ratio, 1);
+  assert.ok(draw(40, false, 10) < 1);
+  assert.equal(draw(40, false, 1000), 0.6);
+  assert.equal(draw(16, true, 2000), 1); // whatever else was going on is over
 });

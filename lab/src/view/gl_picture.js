@@ -4,6 +4,7 @@ import { Cloud, Contour } from "./goal.js";
 import { sharedUniforms } from "./light.js";
 import { Marks } from "./marks.js";
 import { Notes } from "./notes.js";
+import { Pace } from "./pace.js";
 import { PlateMesh } from "./plate.js";
 import { Print } from "./print.js";
 import { PushArrow } from "./push.js";
@@ -27,7 +28,10 @@ export class GlPicture {
     this.view = view;
     this.renderer = new WebGLRenderer({ canvas, context: gl, alpha: false, stencil: false });
     this.renderer.sortObjects = true;
-    this.mostPixels = drawnByProcessor() ? 1 : MOST_PIXELS_PER_PX;
+    this.gl = gl;
+    /** Where the processor draws; a graphics card is fast enough. */
+    this.pace = drawnByProcessor() ? new Pace() : null;
+    this.fence = null;
     this.scene = new Scene();
     this.shared = sharedUniforms();
     this.world = new Group();
@@ -79,7 +83,7 @@ export class GlPicture {
   /** @param {number} width CSS px @param {number} height @param {number} pixels of the screen over CSS px */
   resize(width, height, pixels) {
     this.size = [width, height];
-    this.moving = Math.min(pixels, this.mostPixels);
+    this.moving = this.pace ? this.pace.ratio : Math.min(pixels, MOST_PIXELS_PER_PX);
     this.setRatio(this.moving);
   }
 
@@ -94,7 +98,24 @@ export class GlPicture {
 
   /** Where the processor draws, moving pictures have rough edges: one that stands still for a while is drawn finer. */
   get finer() {
-    return drawnByProcessor() && this.ratio === this.moving && Math.max(...this.size) * this.ratio < MOST_STILL;
+    return this.pace !== null && this.ratio === this.moving;
+  }
+
+  /** Pixels over CSS px of the picture that comes next. */
+  nextRatio(still) {
+    if (this.pace === null) return this.moving;
+    if (still) return Math.max(...this.size) < MOST_STILL ? 2 : 1;
+    const { gl, fence } = this, finished = !fence || gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
+    if (this.pace.next(performance.now(), finished)) this.moving = this.pace.ratio;
+    return this.moving;
+  }
+
+  /** To be asked of later: whether what was drawn is finished. */
+  setFence() {
+    const { gl } = this;
+    if (this.pace === null) return;
+    if (this.fence) gl.deleteSync(this.fence);
+    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   }
 
   /**
@@ -102,7 +123,7 @@ export class GlPicture {
    * @param {boolean} [still] whether it will stand for a while
    */
   draw(asked, still = false) {
-    const { shown, view, renderer } = this, ratio = still && this.finer ? 2 * this.moving : this.moving;
+    const { shown, view, renderer } = this, ratio = this.nextRatio(still);
     if (ratio !== this.ratio) this.setRatio(ratio);
     this.placeWorld(asked.exaggerated);
     this.sheet.group.visible = this.marks.group.visible = shown.there;
@@ -119,6 +140,7 @@ export class GlPicture {
     this.shared.uEye.value.copy(view.camera.position);
     this.shared.uClear.value = clearness(view.elevation);
     renderer.render(this.scene, view.camera);
+    this.setFence();
   }
 
   updateSheet({ layers, exaggerated, said }) {
