@@ -190,17 +190,20 @@ test("a sheet that wanders stays in the picture, until somebody moves it by hand
 
 test("pictures become coarser where they are late one after the other, and finer again where they are not", () => {
   const pace = new Pace();
+  const fine = pace.moving(540e3, 2);
   let now = 0;
   const draw = (took, finished, times) => {
     for (let k = 0; k < times; k++) pace.next((now += took), finished);
-    return pace.ratio;
+    return pace.moving(540e3, 2);
   };
-  assert.equal(draw(16, false, 200), 1); // the screen asks more often than a picture takes
-  assert.equal(draw(40, true, 200), 1); // slow for other reasons
-  assert.equal(draw(2000, false, 50), 1); // paused
+  assert.equal(draw(16, false, 200), fine); // the screen asks more often than a picture takes
+  assert.equal(draw(40, true, 200), fine); // slow for other reasons
+  assert.equal(draw(2000, false, 50), fine); // paused
   for (let k = 0; k < 100; k++) draw(40, k % 2 === 0, 1); // now and then
-  assert.equal(pace.ratio, 1);
-  assert.ok(draw(40, false, 10) < 1);
-  assert.equal(draw(40, false, 1000), 0.6);
-  assert.equal(draw(16, true, 2000), 1); // whatever else was going on is over
+  assert.equal(pace.moving(540e3, 2), fine);
+  assert.ok(draw(40, false, 10) < fine);
+  assert.equal(draw(40, false, 1000), draw(40, false, 1000));
+  assert.ok(pace.moving(540e3, 2) > 0.6 && pace.moving(100e3, 2) > 1.4); // a small picture is drawn finer
+  assert.ok(pace.moving(10e3, 2) <= 2 && pace.still(540e3, 1) === 2);
+  assert.equal(draw(16, true, 2000), fine); // whatever else was going on is over
 });

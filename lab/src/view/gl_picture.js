@@ -15,8 +15,6 @@ import { Trail } from "./trail.js";
 /** How much of a leg's colour the sheet has while it touches, and while it is lifted. */
 const TOUCHING = 0.88, LIFTED = 0.3;
 const MOST_PIXELS_PER_PX = 2;
-/** Width and height, px, up to which a picture that stands still is drawn finer by the processor. */
-const MOST_STILL = 1600;
 
 /** What a canvas gives for drawing, or null where it cannot: edges are smoothed where a graphics card does it. */
 export const contextOf = (canvas) =>
@@ -83,8 +81,13 @@ export class GlPicture {
   /** @param {number} width CSS px @param {number} height @param {number} pixels of the screen over CSS px */
   resize(width, height, pixels) {
     this.size = [width, height];
-    this.moving = this.pace ? this.pace.ratio : Math.min(pixels, MOST_PIXELS_PER_PX);
+    this.pixels = Math.min(pixels, MOST_PIXELS_PER_PX);
     this.setRatio(this.moving);
+  }
+
+  /** Pixels over CSS px while the picture moves. */
+  get moving() {
+    return this.pace ? this.pace.moving(this.size[0] * this.size[1], this.pixels) : this.pixels;
   }
 
   setRatio(ratio) {
@@ -104,9 +107,9 @@ export class GlPicture {
   /** Pixels over CSS px of the picture that comes next. */
   nextRatio(still) {
     if (this.pace === null) return this.moving;
-    if (still) return Math.max(...this.size) < MOST_STILL ? 2 : 1;
+    if (still) return this.pace.still(this.size[0] * this.size[1], this.pixels);
     const { gl, fence } = this, finished = !fence || gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
-    if (this.pace.next(performance.now(), finished)) this.moving = this.pace.ratio;
+    this.pace.next(performance.now(), finished);
     return this.moving;
   }
 
