@@ -81,21 +81,11 @@ export class Desk {
   /** Change one value; why it cannot be in one line, or null. */
   change(name, value) {
     try {
-      this.put(this.changed(name, value));
+      this.put(withValue(this.scenario(), name, value));
       return null;
     } catch (error) {
       return `${error.field ? `${error.field}: ` : ""}${error.message}`;
     }
-  }
-
-  changed(name, value) {
-    const scenario = this.scenario();
-    if (name !== "natural_frequency") return withValue(scenario, name, value);
-    const own = naturalFrequency(scenario.sheet);
-    if (!(own > 0)) throw new Error("the sheet has no bending stiffness to scale: give it one first");
-    const by = (value / own) ** 2;
-    const { bending_stiffness: kb, torsion_stiffness: kt } = scenario.sheet;
-    return { ...scenario, sheet: { ...scenario.sheet, bending_stiffness: kb * by, torsion_stiffness: kt * by } };
   }
 
   naturalFrequency() {

@@ -2,16 +2,19 @@
 import { button, make } from "../elements.js";
 import { withValues } from "../change.js";
 import { trimmed } from "../quantity.js";
+import { isTable } from "./series.js";
 
 const DURATION = 2; // s of each sheet
 const PICTURES = 30; // a second
+const MOST_SHEETS = 24;
 const DEG = Math.PI / 180;
 
 export function cloudOf(element, desk, scenes) {
   const { payload } = desk;
-  const table = make("table", {}, make("caption", {}, `From ${payload.source ?? "the file"}`), numbers(payload));
+  const samples = (Array.isArray(payload.samples) ? payload.samples : []).filter((sample) => isTable(sample?.set)).slice(0, MOST_SHEETS);
+  const table = make("table", {}, make("caption", {}, `From ${String(payload.source ?? "the file").slice(0, 80)}`), numbers(payload));
   const says = make("p", { role: "status" });
-  const go = button("Show the cloud under this motion", () => begin(), { disabled: !(payload.samples?.length > 0) });
+  const go = button("Show the cloud under this motion", () => begin(), { disabled: samples.length === 0 });
   const away = button("Only the sheet", () => {
     cloud = null;
     scenes[0]?.view.setCloud([]);
@@ -23,7 +26,7 @@ export function cloudOf(element, desk, scenes) {
     go.disabled = true;
     says.textContent = "computing…";
     try {
-      const scenarios = payload.samples.map(({ set }) => ({
+      const scenarios = samples.map(({ set }) => ({
         ...withValues(desk.seats[0].scenario, Object.fromEntries(Object.entries(set).filter(([name]) => !name.startsWith("motion.")))),
         duration: DURATION, transient: 0.3 * DURATION,
       }));
@@ -49,11 +52,12 @@ export function cloudOf(element, desk, scenes) {
 }
 
 function numbers(payload) {
-  const rows = (payload.parameters ?? []).map(({ name, display, value, low, high, unit }) => {
+  const known = (Array.isArray(payload.parameters) ? payload.parameters : []).filter((p) => isTable(p) && Number.isFinite(p.value));
+  const rows = known.map(({ name, display, value, low, high, unit }) => {
     const factor = { "pi rad/s": Math.PI, deg: DEG, mm: 1e-3, g: 1e-3 }[display] ?? 1;
-    const cell = (number) => (number === null ? "–" : trimmed(number / factor, 3));
-    return make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, cell(value)),
-      make("td", {}, `[${cell(low)}, ${cell(high)}]`), make("td", {}, factor === 1 ? unit : display));
+    const cell = (number) => (Number.isFinite(number) ? trimmed(number / factor, 3) : "–");
+    return make("tr", {}, make("th", { scope: "row" }, String(name)), make("td", {}, cell(value)),
+      make("td", {}, `[${cell(low)}, ${cell(high)}]`), make("td", {}, String((factor === 1 ? unit : display) ?? "")));
   });
   const head = make("tr", {}, ...["number", "value", "interval", "unit"].map((word) => make("th", { scope: "col" }, word)));
   return make("tbody", {}, head, ...rows);

@@ -1,33 +1,40 @@
 // Poses that a film was read for, beside the sheet of the estimated object.
 import { button, make } from "../elements.js";
 import { timeSeries } from "../../charts/series.js";
+import { wholeRows } from "./series.js";
 
 export function posesBeside(element, desk, scenes) {
+  let poses = checked(desk.payload);
   const chart = make("figure", {}, make("figcaption", {}, "Angle of the tracked object and of the sheet, deg"));
   const canvas = make("div");
   chart.append(canvas);
   element.append(make("p", {}, "The outline that the film shows is drawn beside the sheet, at the same time after the start."),
     button("Begin both again", () => desk.restart()), make("div", { class: "charts" }, chart));
   const plot = timeSeries(canvas, { series: [{ label: "film" }, { label: "sheet" }], unit: "deg" });
-  const show = (poses) => {
-    desk.payload = { ...desk.payload, ...poses };
+  const show = (others) => {
+    poses = checked(others);
     desk.restart();
+    draw();
   };
+  const draw = () => plot.update({ time: poses.time, values: [unwrapped(poses.angle).map((value) => value / DEG)] });
   desk.on("poses", show);
   desk.on("drawn", () => {
-    const { payload } = desk;
-    const live = desk.seats[0].live;
-    scenes[0]?.view.setGhost(poseAt(payload, live.clock % (payload.time.at(-1) || 1)));
+    const { live } = desk.seats[0];
+    scenes[0]?.view.setGhost(poseAt(poses, poses.time[0] + (live.clock % (poses.time.at(-1) - poses.time[0]))));
   });
-  return { shown: () => draw(plot, desk) };
+  return { shown: () => {
+    plot.resize();
+    draw();
+  } };
+}
+
+function checked(given) {
+  const poses = wholeRows(given, ["time", "x", "y", "angle"]);
+  if (poses.time.length < 2 || !(poses.time.at(-1) > poses.time[0])) throw new Error("fewer than two poses in it");
+  return poses;
 }
 
 const DEG = Math.PI / 180;
-
-function draw(plot, desk) {
-  const { time, angle } = desk.payload;
-  plot.update({ time, values: [unwrapped(angle).map((value) => value / DEG)] });
-}
 
 /** Angles without their jumps of a whole turn. */
 export function unwrapped(angles) {
