@@ -15,6 +15,7 @@ const STEPS = 400;
 export function controls(panel, desk) {
   const fields = Object.fromEntries([...desk.facts.fields, ...SHORTHANDS].map((field) => [field.name, field]));
   const rows = [];
+  const narrow = matchMedia("(max-width: 900px)").matches;
   const groups = GROUPS.map((group) => {
     const own = group.controls.filter(([name]) => fields[name]).map((control) => row(desk, fields[control[0]], control));
     rows.push(...own);
@@ -27,7 +28,7 @@ export function controls(panel, desk) {
       body.append(part.element);
     }
     body.append(...own.map((each) => each.element));
-    return make("details", { open: Boolean(group.open) }, make("summary", {}, group.title), body);
+    return make("details", { open: Boolean(group.open) && (!narrow || group.title === GROUPS[0].title) }, make("summary", {}, group.title), body);
   });
   const origins = make("p", { class: "origins" },
     mark("published"), " printed in the source  ", mark("inferred"), " inferred  ", mark("yours"), " yours");

@@ -59,7 +59,7 @@ export function nowTab(element, desk, scenes) {
     const both = desk.seats.map((seat, k) => [scenes[k]?.read, k === desk.selected ? course : seat.live.samples.length < 4 ? null : courseOf(seat.live)]);
     NUMBERS.forEach(([, say], k) => {
       const words = both.map(([own, its]) => (own && its ? say(own, its.now) : "–"));
-      const text = words.length > 1 ? words.map((word, j) => `${"AB"[j]} ${word}`).join("   ") : words[0];
+      const text = words.length > 1 ? words.map((word, j) => `${"AB"[j]} ${word}`).join("\n") : words[0];
       if (values[k][1].textContent !== text) values[k][1].textContent = text;
     });
     const { channels, period } = course;
