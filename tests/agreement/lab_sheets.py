@@ -8,20 +8,36 @@ from typing import Any
 import numpy as np
 
 import plategait as pg
+from plategait.lab.scenario_json import plain_scenario
 from plategait.model.motion import AXES
 
 LETTER = ("######", "#.....", "#.....", "######", "#.....", "#....#", "######")
 SHAPES = ("disk", "ellipse", "rectangle", "polygon", "mask")
 
 
-def random_scenarios(count: int, seed: int, duration: float = 0.5) -> list[pg.Scenario]:
-    """Scenarios that differ in everything, the same for a seed; each shape comes as often as any other."""
+def plain(scenario: pg.Scenario) -> dict[str, Any]:
+    """Scenario as the page has it."""
+    return plain_scenario(scenario)[0]
+
+
+def random_groups(count: int, each: int, seed: int, duration: float = 0.5) -> list[list[pg.Scenario]]:
+    """Groups of scenarios that share a lattice and else differ in everything; the same for a seed.
+
+    Each shape comes as often as any other.
+    """
     generator = np.random.default_rng(seed)
-    return [scenario(generator, SHAPES[i % len(SHAPES)], duration) for i in range(count)]
+    groups = []
+    for i in range(count):
+        cut = {
+            "outline": outline(generator, SHAPES[i % len(SHAPES)]),
+            "pitch": float(generator.uniform(0.0055, 0.0115)),
+        }
+        groups.append([scenario(generator, cut, duration) for _ in range(each)])
+    return groups
 
 
-def scenario(generator: np.random.Generator, shape: str, duration: float) -> pg.Scenario:
-    """One scenario of a shape, as strange as the model allows."""
+def scenario(generator: np.random.Generator, cut: dict[str, Any], duration: float) -> pg.Scenario:
+    """One scenario of an outline and pitch, as strange as the model allows."""
 
     def uniform(low: float, high: float) -> float:
         return float(generator.uniform(low, high))
@@ -37,7 +53,7 @@ def scenario(generator: np.random.Generator, shape: str, duration: float) -> pg.
     reach = 0.4 * min(plate.values()) if plate else 0.01
     fields: dict[str, Any] = {
         "sheet": {
-            "outline": outline(generator, shape), "mass": near(0.008), "pitch": uniform(0.0055, 0.0115),
+            **cut, "mass": near(0.008),
             "bending_stiffness": near(1.6e-4) * (not chance(0.05)), "bending_damping": near(1.4e-6) * chance(0.8),
             "axial_stiffness": near(790.0), "axial_damping": near(0.4) * chance(0.8), "shear_ratio": near(1.0, 2.0),
             "torsion_stiffness": near(1e-4) * chance(0.5), "torsion_damping": near(1e-6) * chance(0.4),
@@ -72,7 +88,8 @@ def outline(generator: np.random.Generator, shape: str) -> dict[str, Any]:
         count = int(generator.integers(3, 8))
         angles = np.arange(count) * 2 * math.pi / count + float(generator.uniform(0, 7))
         radii = 0.05 * generator.uniform(0.75, 1.0, count)
-        return {"shape": shape, "corners": [(float(r * np.cos(a)), float(r * np.sin(a))) for r, a in zip(radii, angles, strict=True)]}  # fmt: skip
+        corners = np.stack([radii * np.cos(angles), radii * np.sin(angles)], axis=1)
+        return {"shape": shape, "corners": corners.tolist()}
     return {"shape": shape, "width_of_picture": 0.075, "rows": LETTER}
 
 
@@ -87,7 +104,9 @@ def motion(generator: np.random.Generator) -> dict[str, Any]:
         "height": uniform(-0.005, 0.01), "ramp": 0.0 if uniform(0, 1) < 0.2 else uniform(0.02, 0.2),
     }  # fmt: skip
     if uniform(0, 1) < 0.3:
-        fields["offset"] = {"rx": uniform(-0.05, 0.05), "ry": uniform(-0.05, 0.05), "rz": uniform(-1, 1), "z": uniform(-0.01, 0.01)}  # fmt: skip
+        fields["offset"] = {
+            "rx": uniform(-0.05, 0.05), "ry": uniform(-0.05, 0.05), "rz": uniform(-1, 1), "z": uniform(-0.01, 0.01),
+        }  # fmt: skip
     if uniform(0, 1) < 0.4:
         fields["waves"] = [
             {"axis": axis, "amplitude": uniform(0, 0.02) if axis.startswith("r") else uniform(0, 8e-4),

@@ -1,183 +1,131 @@
-// The natural frequency of a sheet: of its dish mode, as the package's model/modes.py chooses it.
+// The natural frequency of a sheet: of the mode that the package's model/modes.py takes, with no plate and no gravity.
 //
-// Lanczos' method on the inverse of the stiffness, begun from the ideal dish x² + y²: what it finds are the modes that
-// hold some of that shape, the lowest first, each with its share of it.
+// A shape such as x² + y² is made of modes; Lanczos' method on the inverse of the stiffness, begun from that shape, finds
+// how much of it each mode holds, the lowest modes first. So few steps do what a whole decomposition does in the package.
+import { BandedMatrix, heldModes } from "./lanczos.js";
 import { latticeOf, nodeMass } from "./sheet.js";
+import { add, dot, scaled, without } from "./vectors.js";
 
 const MOST_NODES = 3000;
-const STEPS = 60;
-const MOSTLY = 0.6; // share of the shape at which a mode is mostly that shape
+const MOSTLY = 0.6; // share of a shape at which a mode is mostly that shape
 const PARTLY = 0.3; // and below which it is not it
-const ROUNDING = 1e-9; // of the stiffest: what is less is no stiffness
+const ALIKE = 1e-6; // shares that differ by less are one
+const FLAT = 1e-9; // share of a shape that is rounding once the rigid motion is taken out of it
+const ROUNDING = 1e-11; // of the largest ω²: what is less is none
+const MOST_KEPT = 200;
 
-const kept = new Map();
+const kept = new WeakMap();
 
 /** First-order natural angular frequency ω_n, rad/s; NaN where no mode bends the sheet, or it has too many nodes. */
-export function naturalFrequency(sheet) {
+export const naturalFrequency = (sheet) => {
   const lattice = latticeOf(sheet);
-  if (lattice.nNodes > MOST_NODES || !(sheet.bending_stiffness > 0)) return NaN;
-  const torsion = sheet.torsion_stiffness / sheet.bending_stiffness;
-  let byLattice = kept.get(lattice);
-  if (!byLattice) {
-    if (kept.size > 12) kept.clear();
-    kept.set(lattice, (byLattice = new Map()));
-  }
-  // In units of k_b/(m l²): what remains is the lattice's and the ratio's own.
-  if (!byLattice.has(torsion)) byLattice.set(torsion, unitFrequency(lattice, torsion));
-  return byLattice.get(torsion) * Math.sqrt(sheet.bending_stiffness / nodeMass(sheet)) / sheet.pitch;
-}
+  const { bending_stiffness: bending, torsion_stiffness: torsion } = sheet;
+  if (lattice.nNodes > MOST_NODES) return NaN;
+  // In units of the stiffer joint over m l², what remains is the lattice's and the ratio's own.
+  const unit = Math.max(bending, torsion);
+  const ratios = unit > 0 ? [bending / unit, torsion / unit] : [0, 0];
+  return unitFrequency(lattice, ratios) * Math.sqrt(unit / nodeMass(sheet)) / sheet.pitch;
+};
 
-function unitFrequency(lattice, torsion) {
-  const matrix = stiffness(lattice, torsion);
+const unitFrequency = (lattice, ratios) => {
+  if (!kept.has(lattice)) kept.set(lattice, new Map());
+  const found = kept.get(lattice);
+  const key = String(ratios);
+  if (found.size > MOST_KEPT) found.clear();
+  if (!found.has(key)) found.set(key, Math.sqrt(naturalSquared(lattice, ratios)));
+  return found.get(key);
+};
+
+/** ω² of the dish, or where no mode is one of the lowest that bends the sheet and is no twist; NaN where none does. */
+const naturalSquared = (lattice, [bending, torsion]) => {
+  const matrix = stiffness(lattice, bending, torsion);
   const rigid = rigidMotion(lattice);
-  const [x, y] = [0, 1].map((a) => Float64Array.from({ length: lattice.nNodes }, (_, k) => lattice.rest[2 * k + a]));
-  const wide = [x, y].every((values) => Math.max(...values) > Math.min(...values));
-  if (wide) {
-    const found = modesAlong(matrix, rigid, x.map((each, k) => each * each + y[k] * y[k]));
-    const dish = found.find((mode) => mode.share > MOSTLY) ?? [...found].sort((a, b) => b.share - a.share)[0];
-    if (dish && dish.share > PARTLY && dish.squared > 0) return Math.sqrt(dish.squared);
-  }
-  // No dish: the lowest that bends, found from a shape that no symmetry keeps from anything.
-  const any = modesAlong(matrix, rigid, x.map((_, k) => Math.sin(1.3 * k * k + 0.7)));
-  return Math.sqrt(any.find((mode) => mode.squared > ROUNDING * matrix.largest)?.squared ?? NaN);
-}
+  const named = namedModes(matrix, rigid, lattice);
+  if (named.dish) return named.dish.squared;
+  return lowestSquared(matrix, named.twist ? [...rigid, named.twist.direction] : rigid);
+};
 
-/** Banded matrix of the nodes' deflections: [row][half + 1] from the diagonal to the left. */
-function stiffness(lattice, torsion) {
-  const { nNodes: n, lineStart, lineNodes, axial, cells } = lattice;
+/** Matrix of the nodes' deflections, of bending joints and of cells that twist. */
+const stiffness = ({ nNodes, lineStart, lineNodes, axial, cells }, bending, torsion) => {
   const elements = [];
   for (let i = 0; i < axial; i++)
     for (let k = lineStart[i]; k + 2 < lineStart[i + 1]; k++)
-      elements.push([[lineNodes[k], lineNodes[k + 1], lineNodes[k + 2]], [1, -2, 1], 1]);
-  if (torsion > 0)
-    for (let c = 0; c < cells.length; c += 4) elements.push([[...cells.subarray(c, c + 4)], [1, -1, -1, 1], 2 * torsion]);
-  const half = Math.max(1, ...elements.map(([nodes]) => Math.max(...nodes) - Math.min(...nodes)));
-  const width = half + 1;
-  const band = new Float64Array(n * width);
-  for (const [nodes, weights, factor] of elements)
-    nodes.forEach((a, p) => nodes.forEach((b, q) => {
-      if (b <= a) band[a * width + half - (a - b)] += factor * weights[p] * weights[q];
-    }));
-  let largest = 0;
-  for (let k = 0; k < n; k++) largest = Math.max(largest, band[k * width + half]);
-  return { n, half, band, largest: 4 * largest };
-}
+      elements.push({ nodes: [lineNodes[k], lineNodes[k + 1], lineNodes[k + 2]], weights: [1, -2, 1], factor: bending });
+  for (let c = 0; c < cells.length; c += 4)
+    elements.push({ nodes: [...cells.subarray(c, c + 4)], weights: [1, -1, -1, 1], factor: 2 * torsion });
+  return new BandedMatrix(nNodes, elements.filter(({ factor }) => factor > 0));
+};
+
+const columnsOf = ({ nNodes, rest }) => [0, 1].map((axis) => Float64Array.from({ length: nNodes }, (_, k) => rest[2 * k + axis]));
 
 /** Heave, roll and pitch, orthonormal. */
-function rigidMotion({ nNodes, rest }) {
-  const columns = [() => 1, (k) => rest[2 * k], (k) => rest[2 * k + 1]].map((of) => Float64Array.from({ length: nNodes }, (_, k) => of(k)));
+const rigidMotion = (lattice) => {
   const basis = [];
-  for (const column of columns) {
-    const own = without(column, basis);
-    if (own) basis.push(own);
+  for (const motion of [new Float64Array(lattice.nNodes).fill(1), ...columnsOf(lattice)]) {
+    const own = without(motion, basis);
+    if (own.size > FLAT * Math.sqrt(dot(motion, motion))) basis.push(own.unit);
   }
   return basis;
-}
-
-/** A vector with what lies along others taken out, of length 1; null where nothing is left. */
-function without(vector, others) {
-  const out = vector.slice();
-  const before = Math.sqrt(dot(out, out));
-  for (let pass = 0; pass < 2; pass++) for (const other of others) add(out, other, -dot(out, other));
-  const size = Math.sqrt(dot(out, out));
-  return size > 1e-9 * before && size > 0 ? out.map((each) => each / size) : null;
-}
-
-const dot = (a, b) => {
-  let sum = 0;
-  for (let k = 0; k < a.length; k++) sum += a[k] * b[k];
-  return sum;
-};
-const add = (a, b, factor) => {
-  for (let k = 0; k < a.length; k++) a[k] += factor * b[k];
 };
 
-/** Modes that hold some of a shape: ω² and the shape's share, rising in ω². */
-function modesAlong(matrix, rigid, shape) {
-  const first = without(shape, rigid);
-  if (!first) return [];
-  const shift = 1e-3 * Math.max(dot(first, times(matrix, first)), 1e-12 * matrix.largest);
-  const factor = cholesky(matrix, shift);
-  const basis = [first];
-  const [alpha, beta] = [[], []];
-  for (let step = 0; step < Math.min(STEPS, matrix.n); step++) {
-    const next = solve(factor, basis[step]);
-    alpha.push(dot(next, basis[step]));
-    const size = Math.sqrt(dot(next, next));
-    const own = without(next, [...rigid, ...basis]);
-    if (!own) break;
-    const along = dot(own, next);
-    if (along < 1e-11 * size) break;
-    beta.push(along);
-    basis.push(own);
+/**
+ * The modes that are x² + y², x² − y² and xy, as far as the sheet has such: ω² and direction.
+ *
+ * A shape belongs to the lowest mode that holds most of it, or else to the one that holds the largest share, unless that
+ * direction has a name already: the surest name goes first.
+ */
+const namedModes = (matrix, rigid, lattice) => {
+  const [x, y] = columnsOf(lattice);
+  const shapes = { dish: (a, b) => a * a + b * b, saddle: (a, b) => a * a - b * b, twist: (a, b) => a * b };
+  const held = [];
+  let inverse = null;
+  for (const [name, of] of Object.entries(shapes)) {
+    const shape = x.map((a, k) => of(a, y[k]));
+    const bent = without(shape, rigid);
+    if (rigid.length < 3 || !(bent.size > FLAT * Math.sqrt(dot(shape, shape)))) continue;
+    inverse ??= matrix.inverse(0.1 * matrix.quotient(bent.unit));
+    const modes = spacesOf(heldModes(inverse, bent.unit, rigid), ROUNDING * matrix.largest);
+    held.push({ name, modes, surest: Math.max(...modes.map(({ share }) => share)) });
   }
-  const { values, firsts } = tridiagonal(alpha, beta);
-  return values
-    .map((value, k) => ({ squared: Math.max(0, 1 / value - shift), share: Math.abs(firsts[k]) }))
-    .filter(({ squared, share }) => Number.isFinite(squared) && share > 1e-6)
-    .sort((a, b) => a.squared - b.squared);
-}
+  const rounded = (share) => Math.round(share / ALIKE);
+  held.sort((a, b) => rounded(b.surest) - rounded(a.surest));
+  const named = {};
+  for (const { name, modes, surest } of held) {
+    const taken = Object.values(named).map(({ direction }) => direction);
+    const left = modes.map(({ share, direction }) => without(scaled(direction, share), taken));
+    const mostly = left.findIndex(({ size }) => size > MOSTLY);
+    const which = mostly >= 0 ? mostly : modes.findIndex(({ share }) => share > (1 - ALIKE) * surest);
+    if (left[which].size > PARTLY) named[name] = { squared: modes[which].squared, direction: left[which].unit };
+  }
+  return named;
+};
 
-function times({ n, half, band }, v) {
-  const out = new Float64Array(n);
-  for (let i = 0; i < n; i++)
-    for (let d = 0; d <= Math.min(half, i); d++) {
-      const value = band[i * (half + 1) + half - d];
-      out[i] += value * v[i - d];
-      if (d) out[i - d] += value * v[i];
-    }
-  return out;
-}
-
-function cholesky({ n, half, band }, shift) {
-  const width = half + 1;
-  const L = band.slice();
-  for (let i = 0; i < n; i++) {
-    L[i * width + half] += shift;
-    for (let j = Math.max(0, i - half); j <= i; j++) {
-      let sum = L[i * width + half - (i - j)];
-      for (let k = Math.max(0, i - half, j - half); k < j; k++) sum -= L[i * width + half - (i - k)] * L[j * width + half - (j - k)];
-      L[i * width + half - (i - j)] = i === j ? Math.sqrt(Math.max(sum, 1e-300)) : sum / L[j * width + half];
+/** Modes of one frequency as one: what they hold of the shape together, of which rounding made several. */
+const spacesOf = (modes, rounding) => {
+  const spaces = [];
+  for (const { squared, share, direction } of modes) {
+    const last = spaces.at(-1);
+    if (!last || squared - last.upTo > rounding) spaces.push({ squared, upTo: squared, held: scaled(direction, share) });
+    else {
+      last.upTo = squared;
+      add(last.held, direction, share);
     }
   }
-  return { n, half, L };
-}
+  return spaces.map(({ squared, held }) => {
+    const { unit, size } = without(held, []);
+    return { squared: squared > rounding ? squared : 0, share: size, direction: unit };
+  });
+};
 
-function solve({ n, half, L }, b) {
-  const width = half + 1;
-  const y = Float64Array.from(b);
-  for (let i = 0; i < n; i++) {
-    for (let k = Math.max(0, i - half); k < i; k++) y[i] -= L[i * width + half - (i - k)] * y[k];
-    y[i] /= L[i * width + half];
+/** Least ω² above 0 of what is not along some directions: begun from a shape that no symmetry keeps from anything. */
+const lowestSquared = (matrix, along) => {
+  const { unit, size } = without(Float64Array.from({ length: matrix.n }, (_, k) => Math.sin(1.3 * k * k + 0.7)), along);
+  let squared = 1e-6 * matrix.largest;
+  // What is found first tells where to look more closely.
+  for (let pass = 0; pass < 2 && size > FLAT; pass++) {
+    const modes = heldModes(matrix.inverse(squared), unit, along);
+    squared = modes.find((mode) => mode.squared > ROUNDING * matrix.largest)?.squared ?? NaN;
+    if (Number.isNaN(squared)) break;
   }
-  for (let i = n - 1; i >= 0; i--) {
-    y[i] /= L[i * width + half];
-    for (let k = Math.max(0, i - half); k < i; k++) y[k] -= L[i * width + half - (i - k)] * y[i];
-  }
-  return y;
-}
-
-/** Eigenvalues of a small symmetric tridiagonal matrix, and the first components of its vectors, by Jacobi's rotations. */
-function tridiagonal(alpha, beta) {
-  const m = alpha.length;
-  const A = Array.from({ length: m }, (_, i) => Float64Array.from({ length: m }, (_, j) => (i === j ? alpha[i] : Math.abs(i - j) === 1 ? beta[Math.min(i, j)] : 0)));
-  const row = new Float64Array(m);
-  if (m) row[0] = 1;
-  for (let sweep = 0; sweep < 60; sweep++) {
-    let off = 0;
-    for (let p = 0; p < m; p++)
-      for (let q = p + 1; q < m; q++) {
-        off += A[p][q] ** 2;
-        if (Math.abs(A[p][q]) < 1e-300) continue;
-        const theta = (A[q][q] - A[p][p]) / (2 * A[p][q]);
-        const t = Math.sign(theta || 1) / (Math.abs(theta) + Math.sqrt(theta * theta + 1));
-        const c = 1 / Math.sqrt(t * t + 1);
-        const s = t * c;
-        for (let k = 0; k < m; k++) [A[k][p], A[k][q]] = [c * A[k][p] - s * A[k][q], s * A[k][p] + c * A[k][q]];
-        for (let k = 0; k < m; k++) [A[p][k], A[q][k]] = [c * A[p][k] - s * A[q][k], s * A[p][k] + c * A[q][k]];
-        [row[p], row[q]] = [c * row[p] - s * row[q], s * row[p] + c * row[q]];
-      }
-    if (off < 1e-28 * A.reduce((sum, r, i) => sum + r[i] ** 2, 0)) break;
-  }
-  return { values: A.map((r, i) => r[i]), firsts: row };
-}
+  return size > FLAT && matrix.largest > 0 ? squared : NaN;
+};

@@ -89,8 +89,8 @@ export const checkMotion = (motion) => {
   checkTable(motion, "motion");
   checkNumbers(motion, "motion", NUMBERS);
   if (motion.offset !== undefined) checkTable(motion.offset, "motion.offset");
-  offsetOf(motion).forEach((value, d) =>
-    checkNumber(value, `motion.offset.${AXES[d]}`, turns(AXES[d]) ? PLATE_ANGLE : OFFSET));
+  for (const [axis, value] of Object.entries(motion.offset ?? {}))
+    if (AXES.includes(axis)) checkNumber(value, `motion.offset.${axis}`, turns(axis) ? PLATE_ANGLE : OFFSET);
   checkWaves(motion.waves);
   if (motion.samples !== null && motion.samples !== undefined) checkSamples(checkTable(motion.samples, "motion.samples"));
 };

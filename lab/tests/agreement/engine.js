@@ -8,8 +8,9 @@ import { naturalFrequency } from "../../src/model/modes.js";
 import { featuresOf, packCourses, packParameters } from "../../src/model/packing.js";
 import { startPositions, stepsOf, strideOf } from "../../src/model/recording.js";
 import { checkScenario, latticeOf, timeStep } from "../../src/model/scenario.js";
+import { observe } from "../../src/simulation/observe.js";
 
-const { engine: bytes, told = [], runs = [], repeats = 1, refused = [], sessions = [], sheets = [] } =
+const { engine: bytes, told = [], runs = [], refused = [], sessions = [], sheets = [] } =
   JSON.parse(readFileSync(0, "utf8"));
 const engine = await loadEngine(readFileSync(bytes));
 const answers = new Answers(engine);
@@ -20,17 +21,18 @@ const coded = (array) => ({
   bytes: Buffer.from(array.buffer, array.byteOffset, array.byteLength).toString("base64"),
 });
 
-/** What the core is told of one run, by the names of the package's packing. */
-const toldOf = (s) => {
-  const lattice = latticeOf(s.sheet);
-  const course = packCourses([s], [courseOf(s.motion)], [stepsOf(s) * timeStep(s)]);
+/** What the core is told of runs of one lattice, by the names of the package's packing. */
+const toldOf = (runs) => {
+  const lattice = latticeOf(runs[0].sheet);
+  const course = packCourses(runs, runs.map(({ motion }) => courseOf(motion)), runs.map((s) => stepsOf(s) * timeStep(s)));
   return {
-    numbers: { steps: stepsOf(s), stride: strideOf(s), dt: timeStep(s), n_axial_lines: lattice.axial },
+    numbers: { steps: runs.map(stepsOf), stride: runs.map((s) => strideOf(s)), dt: runs.map(timeStep), n_axial_lines: lattice.axial },
     arrays: Object.fromEntries(Object.entries({
       line_start: lattice.lineStart, line_nodes: lattice.lineNodes, cells: lattice.cells, rest: lattice.rest,
-      parameters: packParameters(engine.names.parameters, [s]), features: Int32Array.from(featuresOf([s])),
+      parameters: packParameters(engine.names.parameters, runs), features: Int32Array.from(featuresOf(runs)),
       layer_terms: course.layerTerms, term_dof: course.termDof, terms: course.terms, layers: course.layers,
-      knots: course.knots, first_knot: course.firstKnot, n_knots: course.nKnots, start: startPositions(s),
+      knots: course.knots, first_knot: course.firstKnot, n_knots: course.nKnots,
+      start: Float64Array.from(runs.flatMap((s) => Array.from(startPositions(s)))),
     }).map(([name, array]) => [name, coded(array)])),
   };
 };
@@ -66,12 +68,14 @@ const lived = ({ scenario, ways }) => {
   });
 };
 
+const recordings = runs.length ? asked({ ask: "run", scenarios: runs }).recordings : [];
+
 // Numbers that JSON cannot hold go as words.
 const worded = (_, value) => (typeof value === "number" && !Number.isFinite(value) ? String(value) : value);
 process.stdout.write(JSON.stringify({
   told: told.map(toldOf),
-  recordings: runs.length ? asked({ ask: "run", scenarios: runs }).recordings.map(channelsOf) : [],
-  observations: runs.length ? asked({ ask: "observe", scenarios: runs, repeats, seed: 0 }).observations : [],
+  recordings: recordings.map(channelsOf),
+  observations: recordings.map((recording, k) => observe(runs[k], recording)),
   refused: refused.map(fieldRefused),
   sessions: sessions.map(lived),
   frequencies: sheets.map(naturalFrequency),
