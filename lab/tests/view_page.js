@@ -5,10 +5,10 @@ import { View } from "../src/view/view.js";
 const numbers = (text) => new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
 
 const unpack = (run) => {
-  const nodes = numbers(run.nodes), pose = numbers(run.pose), forces = numbers(run.forces), n = nodes.length / run.count;
+  const nodes = numbers(run.nodes), pose = numbers(run.pose), forces = numbers(run.forces);
   const part = (values, k) => values.subarray((k * values.length) / run.count, ((k + 1) * values.length) / run.count);
-  const frames = run.time.map((time, k) => ({ time, nodes: part(nodes, k), pose: part(pose, k), forces: part(forces, k), n }));
-  return { ...run, frames };
+  const frame = (time, k) => ({ time, nodes: part(nodes, k), pose: part(pose, k), forces: part(forces, k) });
+  return { ...run, frames: run.time.map(frame) };
 };
 
 globalThis.harness = {

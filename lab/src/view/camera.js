@@ -47,7 +47,7 @@ export class ViewCamera {
   look(name) {
     const view = VIEWS[name];
     if (!view) return false;
-    Object.assign(this, { azimuth: view.azimuth, elevation: view.elevation, riding: view.riding === true, named: name });
+    Object.assign(this, { riding: false, ...view, named: name });
     this.zoom = 1;
     this.panned = false;
     this.target.set(0, 0, 0);
@@ -114,7 +114,8 @@ export class ViewCamera {
     for (const [x, y] of this.corners) {
       const right = -Math.sin(a) * x + Math.cos(a) * y, inward = Math.cos(a) * x + Math.sin(a) * y;
       const up = -Math.sin(e) * inward, near = Math.cos(e) * inward;
-      distance = Math.max(distance, near + Math.abs(right) / (tall * this.aspect * FILLED[0]), near + Math.abs(up) / (tall * FILLED[1]));
+      const wide = Math.abs(right) / (this.aspect * FILLED[0]), high = Math.abs(up) / FILLED[1];
+      distance = Math.max(distance, near + Math.max(wide, high) / tall);
     }
     return Math.max(distance, 1e-3);
   }

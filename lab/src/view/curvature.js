@@ -25,8 +25,9 @@ export class Curvature {
       let nx = frame[2], ny = frame[5], nz = frame[8];
       const along = a >= 0 && b >= 0, across = c >= 0 && d >= 0;
       if (along && across) {
-        const ux = nodes[3 * b] - nodes[3 * a], uy = nodes[3 * b + 1] - nodes[3 * a + 1], uz = nodes[3 * b + 2] - nodes[3 * a + 2];
-        const vx = nodes[3 * d] - nodes[3 * c], vy = nodes[3 * d + 1] - nodes[3 * c + 1], vz = nodes[3 * d + 2] - nodes[3 * c + 2];
+        const i = 3 * a, j = 3 * b, m = 3 * c, n = 3 * d;
+        const ux = nodes[j] - nodes[i], uy = nodes[j + 1] - nodes[i + 1], uz = nodes[j + 2] - nodes[i + 2];
+        const vx = nodes[n] - nodes[m], vy = nodes[n + 1] - nodes[m + 1], vz = nodes[n + 2] - nodes[m + 2];
         nx = uy * vz - uz * vy;
         ny = uz * vx - ux * vz;
         nz = ux * vy - uy * vx;

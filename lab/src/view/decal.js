@@ -35,8 +35,8 @@ export class Decal {
     geometry.setAttribute("place", new BufferAttribute(Float32Array.from([0, 0, 1, 0, 1, 1, 0, 1]), 2));
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
     const material = new ShaderMaterial({
-      vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { uPicture: { value: this.texture } }, transparent: true,
-      depthWrite: false, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2,
+      vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { uPicture: { value: this.texture } },
+      transparent: true, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2,
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;

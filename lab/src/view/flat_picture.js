@@ -40,7 +40,8 @@ export class FlatPicture {
   layOut() {
     const [width, height] = this.size, wide = width > 1.2 * height, [a, b] = this.half;
     const top = wide ? [TOP_SHARE * width, height] : [width, TOP_SHARE * height];
-    const scale = Math.max(1, Math.min((top[0] - 2 * MARGIN) / (2 * a), (top[1] - 2 * MARGIN) / (2 * b))) / this.view.zoom;
+    const fits = Math.max(1, Math.min((top[0] - 2 * MARGIN) / (2 * a), (top[1] - 2 * MARGIN) / (2 * b)));
+    const scale = fits / this.view.zoom;
     const rest = wide ? width - top[0] - GAP : width;
     this.above = { x: top[0] / 2, y: top[1] / 2, scale };
     this.beside = {
@@ -86,7 +87,8 @@ export class FlatPicture {
     if (shown.there) this.drawSheet(line, layers);
     if (layers.trail) this.drawTrail(line);
     for (const { nodes } of cloud) this.drawDots(nodes, css(colours.accent, 0.3));
-    for (const [pose, colour] of [[goal, colours.failed], [ghost, colours.ink]]) if (pose) this.drawContour(line, pose, colour);
+    if (goal) this.drawContour(line, goal, colours.failed);
+    if (ghost) this.drawContour(line, ghost, colours.accent);
     if (!push) return;
     pen.strokeStyle = css(colours.accent);
     pen.lineWidth = 4;
@@ -182,9 +184,10 @@ export class FlatPicture {
   }
 
   drawDots(nodes, colour) {
-    const { pen, above } = this;
+    const { pen, above: { x, y, scale } } = this;
     pen.fillStyle = colour;
-    for (let k = 0; k < nodes.length; k += 3) pen.fillRect(above.x + above.scale * nodes[k] - 1, above.y - above.scale * nodes[k + 1] - 1, 2, 2);
+    for (let k = 0; k < nodes.length; k += 3)
+      pen.fillRect(x + scale * nodes[k] - 1, y - scale * nodes[k + 1] - 1, 2, 2);
   }
 
   /** From the bar's free end: y to the right, heights exaggerated as asked. */

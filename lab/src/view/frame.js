@@ -29,7 +29,8 @@ export const plateFrame = (pose, height, frame) => {
 
 /** Points (x, y, z one after the other) of the world as the plate's frame has them. */
 export const ontoPlate = (frame, points, into, count = points.length / 3) => {
-  const [ax, bx, nx, ay, by, ny, az, bz, nz, ox, oy, oz] = frame;
+  const ax = frame[0], bx = frame[1], nx = frame[2], ay = frame[3], by = frame[4], ny = frame[5];
+  const az = frame[6], bz = frame[7], nz = frame[8], ox = frame[9], oy = frame[10], oz = frame[11];
   for (let k = 0; k < 3 * count; k += 3) {
     const x = points[k] - ox, y = points[k + 1] - oy, z = points[k + 2] - oz;
     into[k] = ax * x + ay * y + az * z;

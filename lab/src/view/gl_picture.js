@@ -18,10 +18,14 @@ const MOST_PIXELS_PER_PX = 2;
 
 /** What a canvas gives for drawing, or null where it cannot: edges are smoothed where a graphics card does it. */
 export const contextOf = (canvas) =>
-  canvas.getContext("webgl2", { alpha: false, antialias: !drawnByProcessor(), stencil: false, powerPreference: "default" });
+  canvas.getContext("webgl2", { alpha: false, antialias: !drawnByProcessor(), stencil: false });
 
 export class GlPicture {
-  /** @param {HTMLCanvasElement} canvas @param {WebGL2RenderingContext} gl @param {import("./camera.js").ViewCamera} view */
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {WebGL2RenderingContext} gl
+   * @param {import("./camera.js").ViewCamera} view
+   */
   constructor(canvas, gl, view) {
     this.view = view;
     this.renderer = new WebGLRenderer({ canvas, context: gl, alpha: false, stencil: false });
@@ -43,12 +47,14 @@ export class GlPicture {
     this.back = new Matrix4();
     this.light = new Vector3();
     this.parts = [];
+    /** Of the sheet before: let go of when the next is drawn, so that its programs can go on being used. */
+    this.past = [];
     this.ratio = 1;
   }
 
   /** Build what is drawn of a sheet. @param {import("./shown.js").Shown} shown */
   build(shown) {
-    for (const part of this.parts) part.dispose();
+    this.past.push(...this.parts);
     this.world.clear();
     this.onPlate.clear();
     this.shown = shown;
@@ -63,7 +69,8 @@ export class GlPicture {
     this.cloud = new Cloud(scenario, shown.lattice, shared);
     this.arrow = new PushArrow(surface.size, shared);
     this.print = new Print(this.plate.shown, this.plate.pitch);
-    this.parts = [this.plate, this.sheet, this.marks, this.trail, this.goal, this.ghost, this.cloud, this.arrow, this.print];
+    this.parts = [this.plate, this.sheet, this.marks, this.trail, this.goal, this.ghost, this.cloud, this.arrow];
+    this.parts.push(this.print);
     this.onPlate.add(...this.trail.meshes, this.goal.mesh, this.ghost.mesh, this.arrow.mesh, this.print.group);
     this.world.add(this.onPlate, this.plate.group, this.sheet.group, this.marks.group, this.cloud.group);
     return this.plate.corners;
@@ -71,8 +78,8 @@ export class GlPicture {
 
   recolour(colours) {
     this.colours = colours;
-    const [red, green, blue] = colours.panel;
-    this.renderer.setClearColor((Math.round(255 * red) << 16) | (Math.round(255 * green) << 8) | Math.round(255 * blue), 1);
+    const [red, green, blue] = colours.panel.map((value) => Math.round(255 * value));
+    this.renderer.setClearColor((red << 16) | (green << 8) | blue, 1);
     this.parts.forEach((part) => part.recolour?.(colours));
     this.goal?.colour(colours.failed, colours.paper);
     this.ghost?.colour(colours.accent, colours.paper);
@@ -132,8 +139,8 @@ export class GlPicture {
     this.sheet.group.visible = this.marks.group.visible = shown.there;
     if (shown.there) this.updateSheet(asked);
     else this.shadow.dark.fill(0);
-    this.plate.update(this.pose, asked.exaggerated);
-    this.trail.meshes.forEach((mesh) => (mesh.visible = asked.layers.trail));
+    this.plate.update(this.pose, asked.exaggerated, shown.surface.centre);
+    for (const mesh of this.trail.meshes) mesh.visible = asked.layers.trail;
     this.goal.place(asked.goal);
     this.ghost.place(asked.ghost);
     this.cloud.show(asked.cloud);
@@ -143,14 +150,14 @@ export class GlPicture {
     this.shared.uEye.value.copy(view.camera.position);
     this.shared.uClear.value = clearness(view.elevation);
     renderer.render(this.scene, view.camera);
+    while (this.past.length) this.past.pop().dispose();
     this.setFence();
   }
 
   updateSheet({ layers, exaggerated, said }) {
     const { shown, sheet } = this, { touching, frame } = shown;
     // Towards the light as the plate sees it, with heights as they are drawn.
-    const [x, y, z] = this.shared.uLight.value;
-    const lx = x, ly = y, lz = z / exaggerated;
+    const { x: lx, y: ly, z } = this.shared.uLight.value, lz = z / exaggerated;
     this.light.set(
       frame[0] * lx + frame[3] * ly + frame[6] * lz, frame[1] * lx + frame[4] * ly + frame[7] * lz,
       frame[2] * lx + frame[5] * ly + frame[8] * lz,
@@ -160,6 +167,7 @@ export class GlPicture {
     if (layers.bending) said.most = shown.bent(layers.bending, sheet.bent);
     const on = layers.legs && !layers.bending;
     this.print.names.visible = on;
+    this.print.showLegs(touching);
     sheet.showLegs(on ? (touching.left ? TOUCHING : LIFTED) : 0, on ? (touching.right ? TOUCHING : LIFTED) : 0);
     sheet.update(frame, this.leastSlope(exaggerated));
     this.marks.group.visible = layers.contact || layers.forces;
@@ -196,13 +204,13 @@ export class GlPicture {
   }
 
   dispose() {
-    for (const part of this.parts) part.dispose();
+    for (const part of [...this.parts, ...this.past]) part.dispose();
     this.notes.dispose();
     this.renderer.dispose();
   }
 }
 
-/** What lies flat can be read from above and not along the plate: it fades out, and has gone before it is in the way. */
+/** What lies flat can be read from above and not along the plate: it fades, and has gone before it is in the way. */
 const clearness = (elevation) => Math.min(1, Math.max(0, (Math.abs(Math.sin(elevation)) - 0.1) / 0.12));
 
 /** Whether the processor draws, and no graphics card: then every pixel counts. */

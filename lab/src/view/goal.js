@@ -1,5 +1,7 @@
 // What the sheet is compared with: where it should go, where a film saw it, and what else it may be.
-import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, ShaderMaterial, Vector2, Vector3 } from "three";
+import {
+  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, ShaderMaterial, Vector2, Vector3,
+} from "three";
 import { plateFrame, ontoPlate, FRAME_SIZE } from "./frame.js";
 import { HALFWAY, LIT } from "./light.js";
 import { Lines } from "./lines.js";
@@ -72,14 +74,16 @@ const FRAGMENT = /* glsl */ `
 `;
 
 /** Of a cloud no more are drawn; and how finely. */
-const MOST = 24, CELLS = 22;
+const MOST = 24, CELLS = 480;
 
 /** Translucent sheets: what else the object may be, as far as is known. */
 export class Cloud {
   constructor({ sheet, motion }, lattice, shared) {
     Object.assign(this, { sheet, lattice, height: motion.height });
     this.group = new Group();
-    this.uniforms = { ...shared, uColour: { value: new Vector3() }, uHalf: { value: new Vector2() }, uPlace: { value: new Vector2() } };
+    this.uniforms = {
+      ...shared, uColour: { value: new Vector3() }, uHalf: { value: new Vector2() }, uPlace: { value: new Vector2() },
+    };
     this.material = new ShaderMaterial({
       vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, transparent: true, depthWrite: false,
       depthTest: false, side: DoubleSide,
@@ -92,8 +96,10 @@ export class Cloud {
     this.uniforms.uColour.value.fromArray(accent);
   }
 
-  /** @param {{nodes: Float32Array, pose: ArrayLike<number>}[]} frames one of each sheet; those of other sheets are left out */
+  /** @param {{nodes: Float32Array, pose: ArrayLike<number>}[]} frames each of as many nodes as this sheet has */
   show(frames) {
+    if (frames === this.frames) return;
+    this.frames = frames;
     if (frames.length && !this.surface) this.prepare();
     const drawn = frames.filter(({ nodes }) => nodes.length === 3 * this.surface.nNodes).slice(0, MOST);
     while (this.group.children.length < drawn.length) this.group.add(this.another());
@@ -101,7 +107,6 @@ export class Cloud {
       mesh.visible = k < drawn.length;
       if (mesh.visible) this.put(drawn[k], mesh.geometry.attributes);
     });
-    return drawn.length;
   }
 
   prepare() {

@@ -61,7 +61,8 @@ export class Lines {
       geometry.setAttribute(name, new InstancedBufferAttribute(this[name], size).setUsage(DynamicDrawUsage));
     geometry.instanceCount = 0;
     this.uniforms = {
-      ...shared, uColour: { value: new Vector3() }, uHalo: { value: new Vector3() }, uWidth: { value: width }, uDash: { value: dash },
+      ...shared, uColour: { value: new Vector3() }, uHalo: { value: new Vector3() }, uWidth: { value: width },
+      uDash: { value: dash },
     };
     const material = new ShaderMaterial({
       vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, transparent: true, depthWrite: false,

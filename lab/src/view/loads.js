@@ -5,9 +5,10 @@ const RADIUS = 0.13, LEAST_RADIUS = 0.07, MOST_RADIUS = 0.4, LENGTH = 0.6, MOST_
 const LEAST_LENGTH = 0.08; // shorter arrows are left out
 
 /** A node's share of the sheet's weight, N. */
-export const nodeShare = ({ sheet, gravity }, nNodes) => Math.max((sheet.mass * Math.max(gravity, 0.1)) / nNodes, 1e-12);
+export const nodeShare = ({ sheet, gravity }, nNodes) =>
+  Math.max((sheet.mass * Math.max(gravity, 0.1)) / nNodes, 1e-12);
 
-/** Radius over the pitch of the disc that stands for a normal force: its area goes with the force, as far as there is room. */
+/** Radius over the pitch of the disc that stands for a normal force: its area goes with the force, if there is room. */
 export const discRadius = (normal, share) =>
   Math.min(Math.max(RADIUS * Math.sqrt(normal / share), LEAST_RADIUS), MOST_RADIUS);
 

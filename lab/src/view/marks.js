@@ -94,7 +94,8 @@ export class Marks {
 
   discMesh() {
     const geometry = new InstancedBufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]), 3));
+    const corners = Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
+    geometry.setAttribute("position", new BufferAttribute(corners, 3));
     geometry.setAttribute("node", this.node).setAttribute("radius", this.radius).setIndex([0, 1, 2, 0, 2, 3]);
     return overAll(geometry, { ...this.uniforms, ...this.discColours }, DISC, DISC_FRAGMENT, 6);
   }

@@ -1,4 +1,4 @@
-// What is written into a corner of the picture: how much higher than they are heights are drawn, and the scale of colours.
+// What is written into a corner of the picture: how much higher than they are heights are drawn; the scale of colours.
 import { BufferAttribute, BufferGeometry, CanvasTexture, LinearFilter, Mesh, ShaderMaterial, Vector2 } from "three";
 import { BENT, HIGH, css } from "./colours.js";
 
@@ -42,7 +42,9 @@ export class Notes {
   constructor(shared) {
     this.canvas = document.createElement("canvas");
     this.texture = null;
-    this.uniforms = { uViewport: shared.uViewport, uSize: { value: new Vector2() }, uMargin: { value: 0 }, uPicture: { value: null } };
+    this.uniforms = {
+      uViewport: shared.uViewport, uSize: { value: new Vector2() }, uMargin: { value: 0 }, uPicture: { value: null },
+    };
     const material = new ShaderMaterial({
       vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, transparent: true, depthTest: false,
       depthWrite: false,
@@ -54,14 +56,14 @@ export class Notes {
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 20;
     this.mesh.visible = false;
-    this.said = "";
+    this.said = {};
   }
 
   /** @param {Said} what @param {object} colours of the page @param {number} ratio pixels of the picture over CSS px */
   say(what, colours, ratio) {
-    const key = JSON.stringify([what, colours.paper, colours.ink, ratio]);
-    if (key === this.said) return;
-    this.said = key;
+    const { said } = this, same = Object.keys(what).every((key) => said[key] === what[key]);
+    if (same && said.colours === colours && said.ratio === ratio) return;
+    Object.assign(said, what, { colours, ratio });
     const lines = (what.exaggerated !== 1 ? 1 : 0) + (what.bent ? 1 : 0);
     this.mesh.visible = lines > 0;
     if (lines === 0) return;

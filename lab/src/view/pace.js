@@ -38,7 +38,8 @@ export class Pace {
     if (took > 20 * PATIENCE) return false; // nothing moved
     this.good = finished ? this.good + 1 : 0;
     if (took >= PATIENCE) this.late = Math.max(0, this.late + (finished ? -1 : 1));
-    const coarser = this.late >= LATE && this.step < BUDGETS.length - 1, finer = this.good >= this.needed && this.step > 0;
+    const coarser = this.late >= LATE && this.step < BUDGETS.length - 1;
+    const finer = this.good >= this.needed && this.step > 0;
     if (!coarser && !finer) return false;
     this.step += coarser ? 1 : -1;
     if (finer) this.needed *= 2;

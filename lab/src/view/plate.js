@@ -1,4 +1,4 @@
-// The plate on its bar: of its size, or one that goes on further than is drawn; grid, axis, and the sheet's shadow on it.
+// The plate on its bar: of its size, or one that goes on further than is drawn; grid, axis, and the sheet's shadow.
 import {
   BufferAttribute, BufferGeometry, DataTexture, Group, LinearFilter, Mesh, RedFormat, ShaderMaterial,
   UnsignedByteType, Vector2, Vector3,
@@ -9,8 +9,11 @@ import { CELLS } from "./shadow.js";
 
 /** Thickness of the plate and radius of the bar over the plate's width. */
 const SLAB = 0.035, BAR = 0.03;
-/** How far a plate without end is drawn, over the sheet's size; and where the bar ends, over the plate's half length. */
-const WITHOUT_END = 1.1, SHOWN = 0.6, BAR_ENDS = 3.4;
+/**
+ * How far a plate without end is drawn, over the sheet's size; how much of that is measured, and how far a sheet may
+ * wander before what is drawn goes along; where the bar ends, over the plate's half length.
+ */
+const WITHOUT_END = 1.1, SHOWN = 0.6, WANDERED = 0.3, BAR_ENDS = 3.4;
 
 const VERTEX = /* glsl */ `
   ${HALFWAY}
@@ -26,19 +29,20 @@ const VERTEX = /* glsl */ `
 /** The surface is flat: all of it is lit alike. */
 const SURFACE_VERTEX = /* glsl */ `
   uniform vec3 uLight;
+  uniform vec2 uShift;
   varying vec2 vPlace;
   varying float vMatt;
   void main() {
     vec3 up = normalize(transpose(inverse(mat3(modelMatrix))) * normal);
     vMatt = ${MATT("up")};
-    vPlace = position.xy;
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vPlace = position.xy + uShift;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 0.0, 1.0);
   }
 `;
 
 const SURFACE = /* glsl */ `
   uniform vec3 uColour, uGrid, uAxis, uDark;
-  uniform vec2 uHalf, uCorner;
+  uniform vec2 uHalf, uCorner, uShift;
   uniform float uPitch, uWindow, uFade;
   uniform sampler2D uShadow;
   varying vec2 vPlace;
@@ -52,7 +56,7 @@ const SURFACE = /* glsl */ `
     colour = mix(colour, uAxis, clamp(1.4 - abs(vPlace.y) / px.y, 0.0, 1.0));
     vec2 window = (vPlace - uCorner) / uWindow - 0.5;
     if (max(abs(window.x), abs(window.y)) < 0.5) colour = mix(colour, uDark, texture2D(uShadow, window + 0.5).r);
-    vec2 share = abs(vPlace) / uHalf, cubes = share * share * share;
+    vec2 share = abs(vPlace - uShift) / uHalf, cubes = share * share * share;
     gl_FragColor = vec4(colour, 1.0 - uFade * smoothstep(0.24, 1.0, cubes.x + cubes.y));
   }
 `;
@@ -98,7 +102,8 @@ export class PlateMesh {
     this.bodies = new Group();
     this.group.add(this.bodies);
     this.metal = { ...shared, uColour: { value: new Vector3() }, uFade: { value: BAR_ENDS * this.half[0] } };
-    this.bodies.add(this.add(cylinder(this.half[0], this.bar, this.endless ? this.bar : this.slab + this.bar), SOLID, this.metal, true));
+    const depth = this.endless ? this.bar : this.slab + this.bar;
+    this.bodies.add(this.add(cylinder(this.half[0], this.bar, depth), SOLID, this.metal, true));
     if (this.endless) return;
     this.body = { ...shared, uColour: { value: new Vector3() }, uFade: { value: 1e6 } };
     this.bodies.add(this.add(slab(this.half, this.slab), SOLID, this.body, false));
@@ -108,7 +113,8 @@ export class PlateMesh {
     return {
       ...shared, uColour: { value: new Vector3() }, uGrid: { value: new Vector3() }, uAxis: { value: new Vector3() },
       uDark: { value: new Vector3() }, uHalf: { value: new Vector2(...this.half) }, uCorner: { value: new Vector2() },
-      uPitch: { value: this.pitch }, uWindow: { value: CELLS * this.shadow.grain }, uFade: { value: this.endless ? 1 : 0 },
+      uPitch: { value: this.pitch }, uWindow: { value: CELLS * this.shadow.grain }, uShift: { value: new Vector2() },
+      uFade: { value: this.endless ? 1 : 0 },
       uShadow: { value: this.texture },
     };
   }
@@ -130,8 +136,13 @@ export class PlateMesh {
     this.body?.uColour.value.fromArray(plate);
   }
 
-  /** @param {import("three").Matrix4} pose of the plate @param {number} exaggerated how much higher than they are heights are drawn */
-  update(pose, exaggerated) {
+  /**
+   * @param {import("three").Matrix4} pose of the plate
+   * @param {number} exaggerated how much higher than they are heights are drawn
+   * @param {ArrayLike<number>} centre of the sheet on the plate, m
+   */
+  update(pose, exaggerated, centre) {
+    if (this.endless) this.uniforms.uShift.value.set(beyond(centre[0], this.half[0]), beyond(centre[1], this.half[1]));
     this.group.matrix.copy(pose);
     this.group.matrixWorldNeedsUpdate = true;
     // Heights grow about the plate's surface, but neither slab nor bar gets thicker by it.
@@ -149,10 +160,14 @@ export class PlateMesh {
   }
 }
 
+/** How far out of the middle a place is that has wandered. */
+const beyond = (at, half) => at - Math.min(Math.max(at, -WANDERED * half), WANDERED * half);
+
 /** Of a plate with an end its corners; of one without as much around the middle. */
 const cornersOf = ([a, b], endless) => {
   if (!endless) return [[-a, -b], [a, -b], [a, b], [-a, b]];
-  return Array.from({ length: 8 }, (_, k) => [1.2 * a * Math.cos((k * Math.PI) / 4), 1.2 * b * Math.sin((k * Math.PI) / 4)]);
+  const around = Array.from({ length: 8 }, (_, k) => (k * Math.PI) / 4);
+  return around.map((angle) => [1.2 * a * Math.cos(angle), 1.2 * b * Math.sin(angle)]);
 };
 
 const geometryOf = (positions, normals, index) => {

@@ -6,7 +6,7 @@ import { Decal } from "./decal.js";
 /** Width of a ruler over the plate's shorter half; px of its picture along the longest ruler, and of a leg's name. */
 const WIDE = 0.137, LENGTH = 1024, NAME = [256, 64];
 
-/** Marks along a ruler that reaches `half` both ways: places, m, how long they are, and what is written there, in mm. */
+/** Marks along a ruler that reaches `half` both ways: places, m, how long they are, what is written there, in mm. */
 export const marksAlong = (half, pitch) => {
   const marks = [], n = Math.floor(half / pitch + 1e-6), every = n > 8 ? 5 : 2;
   for (let k = -2 * n; k <= 2 * n; k++) {
@@ -18,7 +18,7 @@ export const marksAlong = (half, pitch) => {
 };
 
 export class Print {
-  /** @param {number[]} half length and width of the plate as far as it is measured, m @param {number} pitch of its grid, m */
+  /** @param {number[]} half of the plate's length and width, as measured, m @param {number} pitch of its grid */
   constructor([a, b], pitch) {
     this.pitch = pitch;
     const wide = WIDE * Math.min(a, b);
@@ -29,13 +29,15 @@ export class Print {
       ruler(a, [-a, -b, a, -b, a, wide - b, -a, wide - b], a - 1.3 * wide),
       ruler(b, [a, -b, a, b, a - wide, b, a - wide, -b], b),
     ];
-    const name = (y) => {
-      const x = a - 1.25 * wide, long = (1.1 * wide * NAME[0]) / NAME[1];
-      return new Decal(...NAME, [x, y - long / 2, x, y + long / 2, x - 1.1 * wide, y + long / 2, x - 1.1 * wide, y - long / 2]);
-    };
-    this.legs = { left: name(0.62 * b), right: name(-0.62 * b) };
+    const low = a - 1.25 * wide, high = low - 1.1 * wide, reach = (0.55 * wide * NAME[0]) / NAME[1];
+    const word = (y) => new Decal(...NAME, [low, y - reach, low, y + reach, high, y + reach, high, y - reach]);
+    const places = { left: 0.66 * b, right: -0.66 * b };
+    /** Each leg's name as it is while it touches and while it is lifted, and what is said when both are. */
+    this.words = ["left", "right"].flatMap((side) =>
+      [true, false].map((touches) => ({ side, touches, text: `${side} leg`, decal: word(places[side]) })));
+    this.words.push({ side: "", touches: false, text: "in flight", decal: word(0) });
     this.names = new Group();
-    this.names.add(this.legs.left.mesh, this.legs.right.mesh);
+    this.names.add(...this.words.map(({ decal }) => decal.mesh));
     this.group = new Group();
     this.group.add(...this.rulers.map(({ decal }) => decal.mesh), this.names);
   }
@@ -57,19 +59,35 @@ export class Print {
           if (text && fits) pen.fillText(text === "0" ? "0 mm" : text, x, 0.6 * height);
         }
       });
-    for (const [side, decal] of Object.entries(this.legs))
+    for (const { side, touches, text, decal } of this.words)
       decal.paint((pen, width, height) => {
-        pen.fillStyle = css(mix(colours[side], ink, 0.25));
+        pen.fillStyle = pen.strokeStyle = css(side ? mix(colours[side], ink, 0.25) : ink);
         write(pen, Math.round(0.62 * height), font);
-        pen.fillText(`${side} leg`, width / 2, 0.7 * height);
+        if (side) drawFoot(pen, width / 2 - pen.measureText(text).width / 2 - 0.16 * height, 0.48 * height, touches);
+        pen.fillText(text, width / 2 + (side ? 0.16 * height : 0), 0.7 * height);
       });
+  }
+
+  /** Which leg touches. @param {{left: boolean, right: boolean}} touching */
+  showLegs({ left, right }) {
+    for (const { side, touches, decal } of this.words)
+      decal.mesh.visible = side === "" ? !left && !right : touches === (side === "left" ? left : right);
   }
 
   dispose() {
     for (const { decal } of this.rulers) decal.dispose();
-    for (const decal of Object.values(this.legs)) decal.dispose();
+    for (const { decal } of this.words) decal.dispose();
   }
 }
+
+/** Full where it touches, hollow where it is lifted. */
+const drawFoot = (pen, x, y, touches) => {
+  pen.lineWidth = 4;
+  pen.beginPath();
+  pen.arc(x, y, 9, 0, 2 * Math.PI);
+  pen.stroke();
+  if (touches) pen.fill();
+};
 
 const write = (pen, size, font) => {
   pen.font = `${size}px ${font}`;

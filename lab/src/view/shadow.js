@@ -30,7 +30,8 @@ export class Shadow {
     for (let d = 0; d < 2; d++) corner[d] = (Math.round(surface.centre[d] / grain) - CELLS / 2) * grain;
     sharp.fill(0);
     soft.fill(0);
-    const [ax, bx, nx, ay, by, ny, az, bz, nz, ox, oy, oz] = frame;
+    const ax = frame[0], bx = frame[1], nx = frame[2], ay = frame[3], by = frame[4], ny = frame[5];
+    const az = frame[6], bz = frame[7], nz = frame[8], ox = frame[9], oy = frame[10], oz = frame[11];
     const leanX = light[0] / light[2], leanY = light[1] / light[2], cell = 1 / (grain * grain);
     for (let k = 0, p = 0; p < points.length; k++, p += 3) {
       const x = points[p] - ox, y = points[p + 1] - oy, z = points[p + 2] - oz;

@@ -1,5 +1,7 @@
 // The sheet as it is drawn: both faces and the rim, with markers that show how it turns, its legs, or how it is bent.
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, Mesh, ShaderMaterial, Vector2, Vector3 } from "three";
+import {
+  BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, Mesh, ShaderMaterial, Vector2, Vector3,
+} from "three";
 import { BENT, HIGH } from "./colours.js";
 import { HALFWAY, LIT } from "./light.js";
 
@@ -166,7 +168,8 @@ const attributesOf = ({ points, normals, cut, centroid, nVertices }, bent) => {
   const rest = new Float32Array(2 * nVertices);
   for (let k = 0; k < nVertices; k++) rest.set([cut.x[k] - centroid[0], cut.y[k] - centroid[1]], 2 * k);
   return {
-    position: dynamic(points, 3), normal: dynamic(normals, 3), bent: dynamic(bent, 1), rest: new BufferAttribute(rest, 2),
+    position: dynamic(points, 3), normal: dynamic(normals, 3), bent: dynamic(bent, 1),
+    rest: new BufferAttribute(rest, 2),
   };
 };
 
@@ -210,9 +213,11 @@ class Rim {
     let at = 0;
     for (const loop of this.loops)
       for (let k = 0; k < loop.length; k++, at += 2) {
-        const from = 3 * loop[k], before = 3 * loop[(k + loop.length - 2) % loop.length], after = 3 * loop[(k + 2) % loop.length];
+        const { length } = loop, from = 3 * loop[k];
+        const before = 3 * loop[(k + 2 * length - 2) % length], after = 3 * loop[(k + 2) % length];
         const tx = p[after] - p[before], ty = p[after + 1] - p[before + 1], tz = p[after + 2] - p[before + 2];
-        const x = ty * n[from + 2] - tz * n[from + 1], y = tz * n[from] - tx * n[from + 2], z = tx * n[from + 1] - ty * n[from];
+        const nx = n[from], ny = n[from + 1], nz = n[from + 2];
+        const x = ty * nz - tz * ny, y = tz * nx - tx * nz, z = tx * ny - ty * nx;
         for (let to = 3 * at; to < 3 * at + 6; to += 3) {
           for (let d = 0; d < 3; d++) {
             position[to + d] = p[from + d];

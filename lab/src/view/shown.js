@@ -49,7 +49,7 @@ export class Shown {
     ontoPlate(this.frame, this.nodes, this.onPlate);
     this.surface.update(this.nodes, this.onPlate, this.frame);
     this.seeLegs();
-    const [x, y] = this.surface.centre;
+    const x = this.surface.centre[0], y = this.surface.centre[1];
     if (this.way.backTo(time) | this.way.add(x, y, time)) this.ways++;
     this.there = true;
     return true;
@@ -86,9 +86,10 @@ export class Shown {
     if (kind === "curvature") {
       curvature.update(this.nodes, frame);
       surface.spline.spread(curvature.values, values);
-      this.most.curvature = roundedUp(Math.max(this.most.curvature, curvature.most, (2 * LEAST_BENT) / Math.min(...surface.size)));
+      const least = (2 * LEAST_BENT) / Math.min(...surface.size);
+      this.most.curvature = roundedUp(Math.max(this.most.curvature, curvature.most, least));
     } else {
-      const [, , nx, , , ny, , , nz, ox, oy, oz] = frame;
+      const nx = frame[2], ny = frame[5], nz = frame[8], ox = frame[9], oy = frame[10], oz = frame[11];
       let highest = LEAST_BENT * Math.min(...surface.size);
       for (let k = 0, p = 0; k < values.length; k++, p += 3) {
         values[k] = nx * (points[p] - ox) + ny * (points[p + 1] - oy) + nz * (points[p + 2] - oz);
@@ -97,7 +98,8 @@ export class Shown {
       this.most.height = roundedUp(Math.max(this.most.height, highest));
     }
     const most = this.most[kind];
-    for (let k = 0; k < values.length; k++) values[k] = kind === "height" ? (2 * values[k]) / most - 1 : values[k] / most;
+    const scale = kind === "height" ? 2 / most : 1 / most, shift = kind === "height" ? -1 : 0;
+    for (let k = 0; k < values.length; k++) values[k] = scale * values[k] + shift;
     return most;
   }
 }

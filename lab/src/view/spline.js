@@ -1,8 +1,8 @@
 // A smooth surface through the nodes of a square lattice, and on to the outline half a pitch beyond them.
 //
 // Between nodes it is Catmull and Rom's cubic, both ways. Squares that the cubic asks for and that carry no node are
-// continued to, ring by ring: along straight lines of two squares inwards where there are any, else as the fourth corner
-// of a parallelogram, else by as much as the sheet has turned as a whole.
+// continued to, ring by ring: along straight lines of two squares inwards where there are any, else as the fourth
+// corner of a parallelogram, else by as much as the sheet has turned as a whole.
 
 const AROUND = [[1, 0, 1], [-1, 0, 1], [0, 1, 1], [0, -1, 1], [1, 1, 0.5], [-1, 1, 0.5], [1, -1, 0.5], [-1, -1, 0.5]];
 const QUARTERS = [[1, 1], [-1, 1], [1, -1], [-1, -1]];
@@ -33,10 +33,11 @@ export class LatticeSpline {
     for (let a = 0; a < 4; a++)
       for (let b = 0; b < 4; b++) {
         const weight = across[a] * along[b], t = TAPS * k + 4 * a + b;
-        const square = weight === 0 ? grid.at(squareNear(i, across), squareNear(j, along)) : grid.at(i + a - 1, j + b - 1);
-        this.taps[t] = square;
+        const none = weight === 0, column = none ? squareNear(i, across) : i + a - 1;
+        const asked = grid.at(column, none ? squareNear(j, along) : j + b - 1);
+        this.taps[t] = asked;
         this.weights[t] = weight;
-        if (grid.number[square] < 0) wanted.add(square);
+        if (grid.number[asked] < 0) wanted.add(asked);
       }
   }
 
@@ -68,7 +69,7 @@ export class LatticeSpline {
    * Points of the surface.
    * @param {Float32Array} nodes x, y, z of each, m
    * @param {Float32Array} points what is written to
-   * @param {ArrayLike<number>} turned how far one square further along columns and along rows is, where the sheet is stiff
+   * @param {ArrayLike<number>} turned how far one square further along columns and along rows is, were the sheet stiff
    */
   through(nodes, points, turned) {
     const { extended: e, start, from, weight, steps, taps, weights } = this;

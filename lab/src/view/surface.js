@@ -3,14 +3,14 @@ import { insideOf, outlineSize } from "../model/outline.js";
 import { LatticeSpline } from "./spline.js";
 import { cutGrid } from "./trimming.js";
 
-/** Cells along the sheet's longer side, and least along the shorter. */
-const CELLS = 44, LEAST_CELLS = 14, MOST_VERTICES = 4000;
+/** Cells over the outline's box, and the least and most along a side. */
+const CELLS = 2000, LEAST_ALONG = 6, MOST_ALONG = 180;
 
 export class SheetSurface {
   /**
    * @param {object} sheet of a scenario: outline, pitch, thickness
    * @param {import("../model/lattice.js").Lattice} lattice its nodes
-   * @param {number} [cells] along the longer side
+   * @param {number} [cells] over the outline's box
    */
   constructor(sheet, lattice, cells = CELLS) {
     const { columns, rows, squares, nNodes } = lattice, { pitch } = sheet;
@@ -19,10 +19,11 @@ export class SheetSurface {
     this.thickness = sheet.thickness;
     this.size = outlineSize(sheet.outline);
     const middle = [(columns - 1) / 2, (rows - 1) / 2];
-    this.cut = cutGrid(insideNear(sheet, lattice, middle), ...gridLines(this.size, cells, STRAIGHT.has(sheet.outline.shape)));
-    const { x, y } = this.cut;
+    const lines = gridLines(this.size, cells, STRAIGHT.has(sheet.outline.shape));
+    this.cut = cutGrid(insideNear(sheet, lattice, middle), ...lines);
+    const onLattice = (places, d) => places.map((at) => at / pitch + middle[d]), { x, y } = this.cut;
     this.nVertices = x.length;
-    this.spline = new LatticeSpline(squares, x.map((at) => at / pitch + middle[0]), y.map((at) => at / pitch + middle[1]));
+    this.spline = new LatticeSpline(squares, onLattice(x, 0), onLattice(y, 1));
     this.rest = restOf(squares, pitch);
     /** Centroid of the nodes, m from the outline's middle. */
     this.centroid = [0, 1].map((d) => meanOf(squares, d) * pitch - middle[d] * pitch);
@@ -98,13 +99,11 @@ export class SheetSurface {
 /** Outlines that lie along their bounding box; others only touch it. */
 const STRAIGHT = new Set(["rectangle", "mask"]);
 
-/** Lines of a grid that spans the outline, with one more all around: the outermost along the box, or half a cell off. */
+/** Lines of a grid over the outline, with one more all around: the outermost along its box, or half a cell off. */
 const gridLines = (size, cells, straight) => {
-  const longer = Math.max(...size), shorter = Math.min(...size);
-  let step = Math.min(longer / cells, shorter / LEAST_CELLS);
-  step = Math.max(step, Math.sqrt((longer * shorter) / MOST_VERTICES), longer / 400);
+  const step = Math.sqrt((size[0] * size[1]) / cells);
   return size.map((extent) => {
-    const n = Math.max(2, Math.round(extent / step));
+    const n = Math.min(Math.max(LEAST_ALONG, Math.round(extent / step)), MOST_ALONG);
     const first = straight ? -1 : -0.5;
     return Float64Array.from({ length: straight ? n + 3 : n + 2 }, (_, k) => ((k + first) / n - 0.5) * extent);
   });
@@ -114,12 +113,12 @@ const gridLines = (size, cells, straight) => {
 const insideNear = ({ outline, pitch }, { squares, columns, rows }, middle) => {
   const inside = insideOf(outline), there = new Set();
   for (let k = 0; k < squares.length; k += 2) there.add(squares[k] * (rows + 4) + squares[k + 1]);
+  const carried = (i, j) => i >= 0 && j >= 0 && i < columns && j < rows && there.has(i * (rows + 4) + j);
   const near = (x, y) => {
     const u = x / pitch + middle[0], v = y / pitch + middle[1];
     for (let i = Math.ceil(u - 1); i <= u + 1; i++)
       for (let j = Math.ceil(v - 1); j <= v + 1; j++)
-        if (i >= 0 && j >= 0 && i < columns && j < rows && (u - i) ** 2 + (v - j) ** 2 <= 1 && there.has(i * (rows + 4) + j))
-          return true;
+        if (carried(i, j) && Math.hypot(u - i, v - j) <= 1) return true;
     return false;
   };
   // A hair inwards, so that grid lines along an edge lie within it.

@@ -133,7 +133,8 @@ export class View {
 
   /**
    * What is drawn besides the sheet.
-   * @param {{forces?: boolean, contact?: boolean, legs?: boolean, trail?: boolean, bending?: boolean | "curvature" | "height"}} layers
+   * @param {{forces?: boolean, contact?: boolean, legs?: boolean, trail?: boolean,
+   *     bending?: boolean | "curvature" | "height"}} layers
    */
   setLayers(layers) {
     Object.assign(this.asked.layers, layers);
@@ -187,8 +188,9 @@ export class View {
 
   /**
    * A push without a pointer, for keys and buttons.
-   * @param {{direction?: "left" | "right" | "away" | "towards" | "up", speed?: number, velocity?: number[], at?: number[]}} push
-   *     a direction as the picture shows it and a speed, m/s, or a velocity; at the sheet's middle where no place is given
+   * @param {{direction?: "left" | "right" | "away" | "towards" | "up", speed?: number, velocity?: number[],
+   *     at?: number[]}} push a direction as the picture shows it and a speed, m/s, or a velocity; at the sheet's middle
+   *     where no place is given
    * @returns {boolean} whether there was anything to push
    */
   pushWith({ direction, speed = 0.15, velocity, at }) {
