@@ -10,8 +10,8 @@ import { Session } from "./session.js";
 const MOST_FRAMES = 600; // of one advance
 const MOST_RUNS = 400; // of one question
 const MOST_SESSIONS = 16;
-const MOST_NODE_STEPS = 4e9; // of one run: some minutes
-const NODE_STEPS_A_CALL = 1e6; // about 50 ms
+const MOST_NODE_STEPS = 1e9; // of one run: some minutes
+const NODE_STEPS_A_CALL = 2e5; // some 30 ms
 const LONGEST_ADVANCE = 400; // ms of a worker's time: what was not reached by then is left for the next question
 
 const QUESTIONS = ["run", "observe", "open", "advance", "change", "become", "push", "save", "restore", "close"];
