@@ -12,8 +12,6 @@ import { Shadow } from "./shadow.js";
 import { SheetMesh } from "./sheet_mesh.js";
 import { Trail } from "./trail.js";
 
-/** How much of a leg's colour the sheet has while it touches, and while it is lifted. */
-const TOUCHING = 0.88, LIFTED = 0.3;
 const MOST_PIXELS_PER_PX = 2;
 
 /** What a canvas gives for drawing, or null where it cannot: edges are smoothed where a graphics card does it. */
@@ -168,7 +166,7 @@ export class GlPicture {
     const on = layers.legs && !layers.bending;
     this.print.names.visible = on;
     this.print.showLegs(touching);
-    sheet.showLegs(on ? (touching.left ? TOUCHING : LIFTED) : 0, on ? (touching.right ? TOUCHING : LIFTED) : 0);
+    sheet.showLegs(on, touching);
     sheet.update(frame, this.leastSlope(exaggerated));
     this.marks.group.visible = layers.contact || layers.forces;
     if (this.marks.group.visible)

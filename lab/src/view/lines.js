@@ -1,7 +1,6 @@
 // Lines of one width on the screen, whole or dashed, on the plate and over what lies on it: a quad for each piece.
-import {
-  BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3,
-} from "three";
+import { Mesh, ShaderMaterial, Vector3 } from "three";
+import { Copies, QUAD } from "./copies.js";
 
 const VERTEX = /* glsl */ `
   uniform vec2 uViewport;
@@ -51,15 +50,8 @@ export class Lines {
   constructor(most, shared, { width = 4, dash = 0 } = {}) {
     this.most = most;
     this.count = 0;
-    this.start = new Float32Array(3 * most);
-    this.end = new Float32Array(3 * most);
-    this.along = new Float32Array(2 * most);
-    const geometry = new InstancedBufferGeometry();
-    const corners = Float32Array.from([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]);
-    geometry.setAttribute("position", new BufferAttribute(corners, 3)).setIndex([0, 1, 2, 0, 2, 3]);
-    for (const [name, size] of [["start", 3], ["end", 3], ["along", 2]])
-      geometry.setAttribute(name, new InstancedBufferAttribute(this[name], size).setUsage(DynamicDrawUsage));
-    geometry.instanceCount = 0;
+    this.copies = new Copies([[0, -1], [1, -1], [1, 1], [0, 1]], QUAD, most, { start: 3, end: 3, along: 2 });
+    Object.assign(this, this.copies.values);
     this.uniforms = {
       ...shared, uColour: { value: new Vector3() }, uHalo: { value: new Vector3() }, uWidth: { value: width },
       uDash: { value: dash },
@@ -68,7 +60,7 @@ export class Lines {
       vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, transparent: true, depthWrite: false,
       depthTest: false,
     });
-    this.mesh = new Mesh(geometry, material);
+    this.mesh = new Mesh(this.copies.geometry, material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 5;
   }
@@ -114,12 +106,11 @@ export class Lines {
   }
 
   upload() {
-    this.mesh.geometry.instanceCount = this.count;
-    for (const name of ["start", "end", "along"]) this.mesh.geometry.attributes[name].needsUpdate = true;
+    this.copies.upload(this.count);
   }
 
   dispose() {
-    this.mesh.geometry.dispose();
+    this.copies.dispose();
     this.mesh.material.dispose();
   }
 }

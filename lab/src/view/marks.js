@@ -1,8 +1,6 @@
 // What the nodes get from the plate: a disc where one touches, its area the normal force; an arrow for the friction.
-import {
-  BufferAttribute, DynamicDrawUsage, Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial,
-  Vector3,
-} from "three";
+import { Group, Mesh, ShaderMaterial, Vector3 } from "three";
+import { Copies, QUAD } from "./copies.js";
 import { arrowLength, discRadius, nodeShare } from "./loads.js";
 
 const AT = /* glsl */ `
@@ -46,15 +44,14 @@ const DISC_FRAGMENT = /* glsl */ `
 /** Along the arrow in shares of its head, from the tail at -1 by the neck at 0 to the tip at 1; across in widths. */
 const ARROW = /* glsl */ `
   ${AT}
-  uniform float uPitch;
+  uniform float uPitch, uGrown;
   attribute vec2 way;
-  attribute float grown;
   void main() {
     float length_ = length(way);
     vec2 along = length_ > 0.0 ? way / length_ : vec2(1.0, 0.0);
     float head = min(0.3 * uPitch, 0.6 * length_), neck = length_ - head;
     float s = position.x < -0.5 ? 0.0 : position.x < 0.5 ? neck : length_;
-    float out_ = grown * 0.035 * uPitch;
+    float out_ = uGrown * 0.035 * uPitch;
     s += position.x < -0.5 ? -out_ : position.x < 0.5 ? -out_ : 2.2 * out_;
     float width = abs(position.y) > 1.5 ? 0.5 * head + 1.6 * out_ : 0.05 * uPitch + out_;
     gl_Position = place(along * s + vec2(-along.y, along.x) * sign(position.y) * width);
@@ -76,38 +73,23 @@ export class Marks {
     this.nNodes = nNodes;
     this.pitch = sheet.pitch;
     this.share = nodeShare(scenario, nNodes);
-    this.node = new InstancedBufferAttribute(new Float32Array(3 * nNodes), 3).setUsage(DynamicDrawUsage);
-    this.radius = new InstancedBufferAttribute(new Float32Array(nNodes), 1).setUsage(DynamicDrawUsage);
-    this.base = new InstancedBufferAttribute(new Float32Array(3 * nNodes), 3).setUsage(DynamicDrawUsage);
-    this.way = new InstancedBufferAttribute(new Float32Array(2 * nNodes), 2).setUsage(DynamicDrawUsage);
+    const disc = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+    const arrow = [[-1, -1], [0, -1], [0, 1], [-1, 1], [0, -2], [1, 0], [0, 2]];
+    this.touches = new Copies(disc, QUAD, nNodes, { node: 3, radius: 1 });
+    this.drags = new Copies(arrow, [...QUAD, 4, 5, 6], nNodes, { node: 3, way: 2 });
     const vectors = { uEx: { value: new Vector3() }, uEy: { value: new Vector3() }, uUp: { value: new Vector3() } };
     this.uniforms = { ...shared, ...vectors, uLift: { value: sheet.thickness }, uPitch: { value: sheet.pitch } };
     this.discColours = { uColour: { value: new Vector3() }, uHalo: { value: new Vector3() } };
     this.arrowColour = { value: new Vector3() };
     this.haloColour = { value: new Vector3() };
-    this.discs = this.discMesh();
-    this.halos = this.arrowMesh(1, this.haloColour, 7);
-    this.arrows = this.arrowMesh(0, this.arrowColour, 8);
+    const inDiscs = { ...this.uniforms, ...this.discColours };
+    const inArrows = { ...this.uniforms, uColour: this.arrowColour, uGrown: { value: 0 } };
+    const inHalos = { ...this.uniforms, uColour: this.haloColour, uGrown: { value: 1 } };
     this.group = new Group();
-    this.group.add(this.discs, this.halos, this.arrows);
-  }
-
-  discMesh() {
-    const geometry = new InstancedBufferGeometry();
-    const corners = Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
-    geometry.setAttribute("position", new BufferAttribute(corners, 3));
-    geometry.setAttribute("node", this.node).setAttribute("radius", this.radius).setIndex([0, 1, 2, 0, 2, 3]);
-    return overAll(geometry, { ...this.uniforms, ...this.discColours }, DISC, DISC_FRAGMENT, 6);
-  }
-
-  arrowMesh(grown, uColour, order) {
-    const geometry = new InstancedBufferGeometry();
-    const corners = [-1, -1, 0, 0, -1, 0, 0, 1, 0, -1, 1, 0, 0, -2, 0, 1, 0, 0, 0, 2, 0];
-    geometry.setAttribute("position", new BufferAttribute(Float32Array.from(corners), 3));
-    geometry.setAttribute("grown", new BufferAttribute(new Float32Array(7).fill(grown), 1));
-    geometry.setAttribute("node", this.base).setAttribute("way", this.way);
-    geometry.setIndex([0, 1, 2, 0, 2, 3, 4, 5, 6]);
-    return overAll(geometry, { ...this.uniforms, uColour }, ARROW, ARROW_FRAGMENT, order);
+    this.group.add(
+      overAll(this.touches, inDiscs, DISC, DISC_FRAGMENT, 6), overAll(this.drags, inHalos, ARROW, ARROW_FRAGMENT, 7),
+      overAll(this.drags, inArrows, ARROW, ARROW_FRAGMENT, 8),
+    );
   }
 
   recolour({ ink, paper, accent, dark }) {
@@ -129,31 +111,30 @@ export class Marks {
     this.uniforms.uEx.value.set(frame[0], frame[3], frame[6]);
     this.uniforms.uEy.value.set(frame[1], frame[4], frame[7]);
     this.uniforms.uUp.value.set(frame[2], frame[5], frame[8]);
+    const disc = this.touches.values, arrow = this.drags.values;
     let discs = 0, arrows = 0;
     for (let k = 0; k < this.nNodes; k++) {
       const normal = forces ? forces[3 * k] : onPlate[3 * k + 2] <= 0 ? this.share : 0;
       if (!(normal > 0)) continue;
       if (layers.contact) {
-        copyNode(nodes, k, this.node.array, discs);
-        this.radius.array[discs++] = this.pitch * discRadius(layers.forces ? normal : this.share, this.share);
+        copyNode(nodes, k, disc.node, discs);
+        disc.radius[discs++] = this.pitch * discRadius(layers.forces ? normal : this.share, this.share);
       }
       if (!layers.forces || !forces) continue;
       const fx = forces[3 * k + 1], fy = forces[3 * k + 2], long = this.pitch * arrowLength(fx, fy, this.share);
       if (long === 0) continue;
-      copyNode(nodes, k, this.base.array, arrows);
-      this.way.array[2 * arrows] = (long * fx) / Math.hypot(fx, fy);
-      this.way.array[2 * arrows++ + 1] = (long * fy) / Math.hypot(fx, fy);
+      copyNode(nodes, k, arrow.node, arrows);
+      arrow.way[2 * arrows] = (long * fx) / Math.hypot(fx, fy);
+      arrow.way[2 * arrows++ + 1] = (long * fy) / Math.hypot(fx, fy);
     }
-    this.discs.geometry.instanceCount = discs;
-    this.arrows.geometry.instanceCount = this.halos.geometry.instanceCount = arrows;
-    for (const attribute of [this.node, this.radius, this.base, this.way]) attribute.needsUpdate = true;
+    this.touches.upload(discs);
+    this.drags.upload(arrows);
   }
 
   dispose() {
-    for (const mesh of this.group.children) {
-      mesh.geometry.dispose();
-      mesh.material.dispose();
-    }
+    this.touches.dispose();
+    this.drags.dispose();
+    for (const mesh of this.group.children) mesh.material.dispose();
   }
 }
 
@@ -161,8 +142,7 @@ const copyNode = (nodes, from, into, to) => {
   for (let d = 0; d < 3; d++) into[3 * to + d] = nodes[3 * from + d];
 };
 
-const overAll = (geometry, uniforms, vertexShader, fragmentShader, order) => {
-  geometry.instanceCount = 0;
+const overAll = ({ geometry }, uniforms, vertexShader, fragmentShader, order) => {
   const material = new ShaderMaterial({
     vertexShader, fragmentShader, uniforms, transparent: true, depthTest: false, depthWrite: false,
   });

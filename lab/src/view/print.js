@@ -31,7 +31,7 @@ export class Print {
     ];
     const low = a - 1.25 * wide, high = low - 1.1 * wide, reach = (0.55 * wide * NAME[0]) / NAME[1];
     const word = (y) => new Decal(...NAME, [low, y - reach, low, y + reach, high, y + reach, high, y - reach]);
-    const places = { left: 0.66 * b, right: -0.66 * b };
+    const places = { left: 0.54 * b, right: -0.54 * b };
     /** Each leg's name as it is while it touches and while it is lifted, and what is said when both are. */
     this.words = ["left", "right"].flatMap((side) =>
       [true, false].map((touches) => ({ side, touches, text: `${side} leg`, decal: word(places[side]) })));

@@ -5,6 +5,9 @@ import {
 import { BENT, HIGH } from "./colours.js";
 import { HALFWAY, LIT } from "./light.js";
 
+/** How much of a leg's colour is left while it is lifted. */
+const LIFTED = 0.42;
+
 const VERTEX = /* glsl */ `
   ${HALFWAY}
   uniform mat3 uTurn;
@@ -58,7 +61,8 @@ const FRAGMENT = /* glsl */ `
     #endif
     float side = clamp(vSide / (fwidth(vSide) + 1e-9) + 0.5, 0.0, 1.0);
     vec3 leg = mix(uRight, uLeft, side);
-    vec3 colour = mix(uSheet, leg, uLegs * mix(uTouch.y, uTouch.x, side));
+    leg = mix(vec3(0.96), leg, mix(uTouch.y, uTouch.x, side)); // a lifted leg is paler
+    vec3 colour = mix(uSheet, leg, uLegs);
     float t = clamp(vBent, -1.0, 1.0);
     vec3 scale = t < 0.0 ? mix(uColours[1], uColours[0], -t) : mix(uColours[1], uColours[2], t);
     colour = mix(colour, scale, uBent);
@@ -105,10 +109,10 @@ export class SheetMesh {
     this.own.uMarker.value.fromArray(colours.dark ? [0.1, 0.16, 0.26] : [0.094, 0.259, 0.455]);
   }
 
-  /** How strongly each leg shows: 0 not at all. @param {number} left @param {number} right */
-  showLegs(left, right) {
-    this.own.uLegs.value = left + right > 0 ? 1 : 0;
-    this.own.uTouch.value.set(left, right);
+  /** Colour each half as a leg. @param {boolean} on @param {{left: boolean, right: boolean}} touching */
+  showLegs(on, { left, right }) {
+    this.own.uLegs.value = on ? 0.9 : 0;
+    this.own.uTouch.value.set(left ? 1 : LIFTED, right ? 1 : LIFTED);
   }
 
   /** Colour by how bent or high the sheet is; `values` of the vertices, -1 to 1, are in `bent`. */
