@@ -318,7 +318,7 @@ def test_turning_the_motion_around_turns_the_spin_around():
 def test_the_dataset_has_units_runs_and_samples(short):
     data = dataset_of(short)
     assert data.sizes["run"] == 3
-    assert data.sizes["sample"] == len(short.recordings[0]["time"])
+    assert data.sizes["time"] == len(short.recordings[0]["time"])
     assert data.sizes["node"] == 52
     for name, variable in data.variables.items():
         if variable.dtype.kind == "f" and name != "plate_pose":  # whose columns differ in unit
@@ -363,7 +363,7 @@ def test_runs_of_unequal_length_are_filled_up(monkeypatch):
     lengths = [len(r["time"]) for r in result.recordings]
     assert all(r.diverged for r in result.recordings)
     data = dataset_of(result)
-    assert data.sizes["sample"] == max(lengths)
+    assert data.sizes["time"] == max(lengths)
     for run, length in enumerate(lengths):
         assert np.isnan(data["centre_x"][run, length:]).all()
     assert json.loads(data.attrs["summary"])["failed"]

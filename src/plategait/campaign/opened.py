@@ -16,6 +16,7 @@ from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point, base_points
 from plategait.campaign.store import Store, check_path
 from plategait.errors import InputError
+from plategait.shown import Shown
 from plategait.simulation.ensemble import TAKEN, Ensemble, mean_of_unfailed, together
 from plategait.simulation.registry import all_observables, check_name
 
@@ -23,8 +24,8 @@ if TYPE_CHECKING:
     import xarray
 
 
-@dataclass(frozen=True, eq=False)
-class Campaign:
+@dataclass(frozen=True, eq=False, repr=False)
+class Campaign(Shown):
     """A store and how far it has come.
 
     Attributes
@@ -46,6 +47,16 @@ class Campaign:
     damaged: tuple[int, ...]
     said: str
     attributes: dict[str, Any]
+
+    def told(self) -> list[tuple[str, str]]:
+        """What is varied, and how far it has come."""
+        more = f", {refined} refine them" if (refined := len(self.done) - self.n_base) else ""
+        return [
+            ("store", str(self.path)), ("title", self.plan.name),
+            ("over", ", ".join(p.name for p in self.plan.parameters)),
+            ("points", f"{int(self.done[: self.n_base].sum())} of {self.n_base} run{more}"),
+            ("repeats", str(self.plan.repeats)), ("engine", self.plan.engine), ("damage", self.said or "none"),
+        ]  # fmt: skip
 
     @property
     def n_base(self) -> int:

@@ -23,6 +23,7 @@ from plategait.control.pulse import Pulses
 from plategait.control.response import TICK
 from plategait.errors import InputError
 from plategait.model.motion import PlateMotion
+from plategait.shown import Shown
 
 Method = Literal["blend", "mppi", "open-loop", "one-pulse"]
 METHODS: tuple[Method, ...] = ("blend", "mppi", "open-loop", "one-pulse")
@@ -60,8 +61,8 @@ class Arrival:
     status: str
 
 
-@dataclass(frozen=True, eq=False)
-class Steering:
+@dataclass(frozen=True, eq=False, repr=False)
+class Steering(Shown):
     """A sheet's way to its goals.
 
     Attributes
@@ -86,6 +87,15 @@ class Steering:
     seen: Array
     aims: Array
     motions: tuple[tuple[float, PlateMotion], ...]
+
+    def told(self) -> list[tuple[str, str]]:
+        """How it went with each goal."""
+        ways = [
+            (f"goal {k}", f"reached in {a.time:.2f} s" if a.reached else a.status or "not reached")
+            for k, a in enumerate(self.arrivals, start=1)
+        ]
+        reached = sum(a.reached for a in self.arrivals)
+        return [("reached", f"{reached} of {len(self.arrivals)}"), ("ticks", str(len(self.times))), *ways]
 
     @property
     def reached(self) -> bool:

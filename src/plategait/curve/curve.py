@@ -13,6 +13,7 @@ from plategait.arrays import Array, Flags
 from plategait.curve.lorentz import LorentzFit
 from plategait.curve.peak import unseen_top
 from plategait.files.plain import plain
+from plategait.shown import Shown
 from plategait.simulation.ensemble import fails
 from plategait.simulation.result import Simulation
 
@@ -20,8 +21,8 @@ from plategait.simulation.result import Simulation
 RUN_OFF = 3
 
 
-@dataclass(frozen=True, eq=False)
-class Curve:
+@dataclass(frozen=True, eq=False, repr=False)
+class Curve(Shown):
     """Spin rate over plate frequency.
 
     Attributes
@@ -78,6 +79,19 @@ class Curve:
     slip_limit: Array | None = None
     of_object: Mapping[str, Array] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+
+    def told(self) -> list[tuple[str, str]]:
+        """What a person asks first."""
+        measured = int(np.isfinite(self.spin_rate_deg_s).sum())
+        span = f"{self.frequency_hz.min():g} to {self.frequency_hz.max():g} Hz" if len(self.frequency_hz) else "none"
+        gaits = ", ".join(f"{self.gait.count(kind)} {kind}" for kind in dict.fromkeys(self.gait) if kind)
+        rows = [("name", self.name), ("points", f"{len(self.frequency_hz)} from {span}, {measured} measured"),
+                ("failed", str(int(self.failed.sum()))), ("gaits", gaits or "–")]  # fmt: skip
+        fit = self.fit
+        if fit is None:
+            return [*rows, ("Lorentz fit", f"none: {self.no_fit}" if self.no_fit else "none")]
+        return [*rows, ("f0", f"{fit.f0_hz:.2f} Hz"), ("half width", f"{fit.half_width_hz:.2f} Hz"),
+                ("peak", f"{fit.peak:.0f} deg/s"), ("R²", f"{fit.r2:.3f}")]  # fmt: skip
 
     @property
     def failed(self) -> Flags:

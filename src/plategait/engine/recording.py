@@ -12,14 +12,15 @@ from numpy.typing import NDArray
 from plategait.model.lattice import Lattice
 from plategait.model.motion import PlateMotion, rotation_of
 from plategait.model.scenario import Scenario
+from plategait.shown import Shown
 
 # A plate period holds this many samples, and none is further from the next than the longest interval.
 SAMPLES_PER_PERIOD = 24
 LONGEST_SAMPLE_INTERVAL = 2e-3
 
 
-@dataclass(frozen=True, eq=False)
-class RunRequest:
+@dataclass(frozen=True, eq=False, repr=False)
+class RunRequest(Shown):
     """One run to make: a scenario, and how its start differs from the nominal one.
 
     Attributes
@@ -96,8 +97,8 @@ class RunRequest:
         return positions, np.zeros_like(positions)
 
 
-@dataclass(frozen=True, eq=False)
-class Recording:
+@dataclass(frozen=True, eq=False, repr=False)
+class Recording(Shown):
     """What a run left behind.
 
     Attributes

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from plategait.arrays import Array
 from plategait.estimate.observations import Condition
-from plategait.estimate.prediction import Prediction
+from plategait.estimate.prediction import Prediction, predict
 from plategait.estimate.readings import Readings
 from plategait.estimate.result import Estimate
 from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes
@@ -29,11 +29,13 @@ AXIS_LABELS = {
 }  # fmt: skip
 
 
-def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction]) -> Figure:
+def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction] | None = None) -> Figure:
     """Predicted spin curves over the data, one panel an amplitude, and below them each parameter's posterior.
 
-    Motions that make no curve share a panel. Between them a row for each of the readings, if there are any.
+    Motions that make no curve share a panel. Between them a row for each of the readings, if there are any. Without
+    predictions the engine is run for them, which takes seconds.
     """
+    predictions = predict(estimate.posterior) if predictions is None else predictions
     d = len(estimate.marginals)
     readings = estimate.posterior.data.readings
     columns = max(len(predictions), d, 2)

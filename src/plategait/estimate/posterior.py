@@ -28,6 +28,7 @@ from plategait.estimate.observations import Observations
 from plategait.estimate.particles import Particles, explore, folded, stratified
 from plategait.estimate.runs import EngineRuns, run_engine
 from plategait.estimate.unknowns import Unknowns
+from plategait.shown import Shown
 
 Progress = Callable[[float], object]
 
@@ -81,8 +82,8 @@ class Effort:
         return self.first_round + more, self.later_round + more
 
 
-@dataclass(frozen=True, eq=False)
-class Posterior:
+@dataclass(frozen=True, eq=False, repr=False)
+class Posterior(Shown):
     """Samples of the parameters that the data allow.
 
     Attributes

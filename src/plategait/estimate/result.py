@@ -30,6 +30,7 @@ from plategait.model.measured import Measured
 from plategait.model.motion import PlateMotion
 from plategait.model.presets import Preset, as_scenario
 from plategait.model.scenario import Scenario
+from plategait.shown import Shown
 from plategait.units import Quantity
 
 _SHARE = Quantity("", "", "0.9")
@@ -51,8 +52,8 @@ LABELS = {
 """What people call each number of an estimate."""
 
 
-@dataclass(frozen=True, eq=False)
-class Estimate:
+@dataclass(frozen=True, eq=False, repr=False)
+class Estimate(Shown):
     """Parameters of an object, read off its spin curve.
 
     Attributes
@@ -72,6 +73,15 @@ class Estimate:
     goodness: Goodness
     confidence: float
     thickness_sd: float = 0.0
+
+    def told(self) -> list[tuple[str, str]]:
+        """Each parameter with its interval, and whether the data are explained."""
+        rows = [
+            (m.parameter.name.replace("_", " "), f"{m.text} ({m.interval_text})" if m.determined else m.text)
+            for m in (*self.marginals, *self.stiffness[1:])
+        ]
+        said = "yes" if self.goodness.explained else f"no: {'; '.join(self.goodness.complaints)}"
+        return [*rows, ("intervals", f"{100 * self.confidence:g} %"), ("data explained", said)]
 
     def __getitem__(self, name: str) -> Marginal:
         """Marginal posterior of one parameter by name."""

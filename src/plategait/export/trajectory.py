@@ -15,6 +15,7 @@ from plategait.model.course import Course, Layer, gone_over, kinematics
 from plategait.model.machine import Machine, machine_of
 from plategait.model.motion import AXES, PlateMotion
 from plategait.model.needs import excess, join_duration, needs, start_duration
+from plategait.shown import Shown
 from plategait.units import FREQUENCY, Quantity
 
 # Samples per period of the fastest sine: a cubic through positions and speeds is then within 0.1 % of its amplitude.
@@ -28,8 +29,8 @@ _MOVES = '--stroke "3 mm"'
 _DURATION = Quantity("s", "s", "4 s", above=0)
 
 
-@dataclass(frozen=True, eq=False)
-class Trajectory:
+@dataclass(frozen=True, eq=False, repr=False)
+class Trajectory(Shown):
     """Where a plate is to be, at a fixed rate.
 
     Attributes

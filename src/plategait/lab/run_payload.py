@@ -92,7 +92,9 @@ def _shapes(run: xarray.Dataset) -> tuple[dict[str, Any], list[str]]:
     whole = int(np.isfinite(run["position"][:, 0, 0].values).sum())
     kept = every(whole, max(1, MOST_SHAPES // (12 * nodes)))
     # A file of hours is read where it is shown.
-    shapes = run["position"].isel(snapshot=slice(0, whole, stride(whole, max(1, MOST_SHAPES // (12 * nodes))))).values
+    shapes = (
+        run["position"].isel(snapshot_time=slice(0, whole, stride(whole, max(1, MOST_SHAPES // (12 * nodes))))).values
+    )
     note = [f"of the shapes {len(kept)} of {whole} are shown"] if len(kept) < whole else []
     return {
         "snapshot_time": lean(run["snapshot_time"].values[kept]),

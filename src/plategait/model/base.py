@@ -32,6 +32,21 @@ class Kept:
     array: Array | None
 
 
+# Elements of a list that a description shows of itself.
+_MOST_SHOWN = 8
+
+
+class _Many:
+    """So many elements, in place of them."""
+
+    def __init__(self, count: int) -> None:
+        self.count = count
+
+    def __repr__(self) -> str:
+        """How many they are."""
+        return f"({self.count} …)"
+
+
 _TAGS: set[str] = set()
 """Shapes by which parts of a union are told apart: one of each model with a field `shape`."""
 
@@ -55,6 +70,12 @@ class Model(_Fields):
             # A misspelt name is the cause where the right one is missing.
             first = next((detail for detail in details if detail["type"] == "extra_forbidden"), details[0])
             raise _input_error(type(self), first) from None
+
+    def __repr_args__(self) -> Any:
+        """Fields for people: those of many numbers, such as a sampled trajectory, by how many they are."""
+        for name, value in super().__repr_args__():  # type: ignore[misc]
+            long = isinstance(value, tuple) and len(value) > _MOST_SHOWN
+            yield name, _Many(len(value)) if long else value
 
     def replace(self, **changes: Any) -> Any:
         """Copy with some fields changed, validated anew.

@@ -17,14 +17,15 @@ from plategait.files.toml import read_toml
 from plategait.model.measured import CONFIDENCE, Measured
 from plategait.model.parameters import find_parameter, kinetic_follows, with_values
 from plategait.model.scenario import Scenario
+from plategait.shown import Shown
 from plategait.units import Quantity, show
 
 _CONFIDENCE = Quantity("", "", "0.95", above=0, at_most=1)
 _HINT = "plategait identify bending CANTILEVER.csv --out bending.toml"
 
 
-@dataclass(frozen=True, eq=False)
-class Fragment:
+@dataclass(frozen=True, eq=False, repr=False)
+class Fragment(Shown):
     """Part of a scenario that was measured: parameters by dotted name, their uncertainty and how they hang together.
 
     Attributes

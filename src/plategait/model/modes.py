@@ -10,6 +10,7 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.model.lattice import Lattice
+from plategait.shown import Shown
 
 # A lattice of 1,500 nodes takes a dense solver about a second.
 LARGEST_DENSE_LATTICE = 3000
@@ -20,8 +21,8 @@ _ALIKE = 6  # decimals in which two shares, or two nodes, are alike
 _MOSTLY, _PARTLY = 0.6, 0.3  # share of a shape at which a space is mostly that shape, and below which it is not it
 
 
-@dataclass(frozen=True)
-class Mode:
+@dataclass(frozen=True, repr=False)
+class Mode(Shown):
     """One free-vibration mode.
 
     Attributes
@@ -41,17 +42,31 @@ class Mode:
     shape: Array
     name: str
 
+    def told(self) -> list[tuple[str, str]]:
+        """Its shape, frequency and damping."""
+        return [("shape", self.name or "no name"), ("frequency", self._in_words)]
+
+    @property
+    def _in_words(self) -> str:
+        return f"{self.frequency:.4g} Hz ({self.omega / math.pi:.4g} π rad/s), damping ratio {self.damping_ratio:.3g}"
+
     @property
     def frequency(self) -> float:
         """Natural frequency, Hz."""
         return self.omega / (2 * math.pi)
 
 
-@dataclass(frozen=True)
-class Modes:
+@dataclass(frozen=True, repr=False)
+class Modes(Shown):
     """Modes in order of frequency, the rigid ones left out."""
 
     modes: tuple[Mode, ...]
+
+    def told(self) -> list[tuple[str, str]]:
+        """The lowest modes that bend the sheet, and how many have no stiffness."""
+        stiff = [mode for mode in self.modes if mode.omega > 0]
+        rows = [(mode.name or "–", mode._in_words) for mode in stiff[:7]]
+        return [("modes", f"{len(self.modes)}, {len(self.modes) - len(stiff)} of them without stiffness"), *rows]
 
     def _named(self, name: str) -> Mode:
         for mode in self.modes:

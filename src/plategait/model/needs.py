@@ -14,6 +14,7 @@ from plategait.errors import InputError
 from plategait.model.course import Course, Kinematics, course_of, gone_over, kinematics, most_on
 from plategait.model.machine import Machine
 from plategait.model.motion import AXES, SHORTEST_RAMP, PlateMotion
+from plategait.shown import Shown
 
 # Points per period of the fastest sine: the largest of them is within 1e-4 of a sine's peak.
 _POINTS, _MOST_POINTS = 240, 240_000
@@ -25,8 +26,8 @@ _LONGEST_JOIN = 256
 WHAT = ("position", "speed", "acceleration", "jerk", "load")
 
 
-@dataclass(frozen=True, eq=False)
-class Needs:
+@dataclass(frozen=True, eq=False, repr=False)
+class Needs(Shown):
     """What a motion needs.
 
     Attributes

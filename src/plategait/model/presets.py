@@ -17,10 +17,11 @@ from plategait.model.scenario import Scenario
 from plategait.model.scenario_file import read_scenario
 from plategait.model.sheet import Sheet
 from plategait.published import NOMINAL_NATURAL_FREQUENCY
+from plategait.shown import Shown
 
 
-@dataclass(frozen=True)
-class Preset:
+@dataclass(frozen=True, repr=False)
+class Preset(Shown):
     """A scenario, and where its numbers come from, by dotted field name."""
 
     scenario: Scenario

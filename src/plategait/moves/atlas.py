@@ -27,6 +27,7 @@ from plategait.optimize.space import Freedom, Space, freedoms_of, space_of
 from plategait.optimize.spread import scattered
 from plategait.optimize.symmetry import mirrored
 from plategait.optimize.trials import Bench, Placing, Tally, Trial
+from plategait.shown import Shown
 from plategait.simulation.run import check_whole
 
 DURATION = 3.0
@@ -49,8 +50,8 @@ _NO_LIMIT = 10.0
 _CONFIRMING, _CHOOSING, _VERIFYING = 10**6, 2 * 10**6, 3 * 10**6
 
 
-@dataclass(frozen=True, eq=False)
-class Atlas:
+@dataclass(frozen=True, eq=False, repr=False)
+class Atlas(Shown):
     """What an object does on a machine.
 
     Attributes
@@ -80,6 +81,14 @@ class Atlas:
     widening: float
     runs: int
     reach: float
+
+    def told(self) -> list[tuple[str, str]]:
+        """How much of the velocities it reaches."""
+        return [
+            ("object", self.scenario.name), ("machine", self.machine.name), ("velocities", f"{len(self.cells)} cells"),
+            ("primitives", ", ".join(each.name for each in self.primitives) or "none"),
+            ("missing", ", ".join(self.missing) or "none"), ("runs", str(self.runs)),
+        ]  # fmt: skip
 
     def covariance(self, trial: Trial) -> Array:
         """(3, 3) covariance of the velocity of a fresh run, SI."""

@@ -17,6 +17,7 @@ from plategait.optimize.ranking import largest_chance, least_chance
 from plategait.optimize.search import Found
 from plategait.optimize.space import Space, Variable
 from plategait.optimize.trials import Trial, no_failure
+from plategait.shown import Shown, in_short
 from plategait.simulation.observables import student_95
 
 
@@ -39,8 +40,8 @@ class Sensitivity:
     more: tuple[float, Trial] | None
 
 
-@dataclass(frozen=True, eq=False)
-class Optimum:
+@dataclass(frozen=True, eq=False, repr=False)
+class Optimum(Shown):
     """The motion that does best, and how far it can be relied on.
 
     Attributes
@@ -67,6 +68,18 @@ class Optimum:
     confidence: float
     sensitivities: tuple[Sensitivity, ...]
     confirmation: Trial
+
+    def told(self) -> list[tuple[str, str]]:
+        """What the motion does, and whether it can be relied on."""
+        motion, twist = self.scenario.motion, self.trial.twist
+        return [
+            ("object", self.scenario.name), ("machine", self.machine.name), ("goal", in_short(self.goal)),
+            ("plate", f"{motion.frequency:.4g} Hz, {math.degrees(motion.angle):.3g} deg, {1e3 * motion.stroke:.3g} mm"),
+            ("velocity", f"{1e3 * twist[0]:.3g} and {1e3 * twist[1]:.3g} mm/s, {math.degrees(twist[2]):.4g} deg/s"),
+            ("fails", f"at most {100 * self.chance_of_failure:.2g} % at {100 * self.confidence:g} % confidence"),
+            ("reached", "yes" if self.reached else "no"), ("confirmed", "yes" if self.confirmed else "no"),
+            ("runs", str(self.evaluations)),
+        ]  # fmt: skip
 
     @property
     def chosen(self) -> Found:

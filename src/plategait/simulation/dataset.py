@@ -35,8 +35,8 @@ _SERIES = [channel for channel in CHANNELS.values() if channel.name != "time"]
 def dataset_of(simulation: Simulation) -> xarray.Dataset:
     """Samples, shapes and summary of every run of a simulation.
 
-    Dimensions are ``run``, ``sample``, and with snapshots ``snapshot``, ``node``, ``axis``. Where runs ended early the
-    rest is NaN. The attributes hold the scenario (TOML), the summary (JSON), version, engine, time step, seed and
+    Dimensions are ``run``, ``time``, and with snapshots ``snapshot_time``, ``node``, ``axis``. Where runs ended early
+    the rest is NaN. The attributes hold the scenario (TOML), the summary (JSON), version, engine, time step, seed and
     platform.
     """
     import xarray
@@ -46,9 +46,9 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     variables: dict[str, object] = {}
     for channel in _SERIES:
         series = _side_by_side([r[channel.name] for r in simulation.recordings])
-        variables[channel.name] = (("run", "sample"), series, {"long_name": channel.long_name, "units": channel.unit})
+        variables[channel.name] = (("run", "time"), series, {"long_name": channel.long_name, "units": channel.unit})
     coordinates: dict[str, object] = {
-        "time": (("sample",), longest["time"], {"long_name": "time", "units": "s"}),
+        "time": (("time",), longest["time"], {"long_name": "time", "units": "s"}),
         "run": np.arange(len(simulation.recordings)),
     }
     if len(longest.snapshots):
@@ -56,16 +56,16 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
         shapes = _side_by_side([r.snapshots for r in simulation.recordings])
         poses = _side_by_side([r.plate_pose for r in simulation.recordings])
         variables["position"] = (
-            ("run", "snapshot", "node", "axis"),
+            ("run", "snapshot_time", "node", "axis"),
             shapes,
             {"long_name": "node position, world frame", "units": "m"},
         )
         variables["plate_pose"] = (
-            ("run", "snapshot", "degree_of_freedom"),
+            ("run", "snapshot_time", "degree_of_freedom"),
             poses,
             {"long_name": "x, y, z (m), rx, ry, rz (rad)"},
         )
-        coordinates["snapshot_time"] = (("snapshot",), most.snapshot_time, {"units": "s"})
+        coordinates["snapshot_time"] = (("snapshot_time",), most.snapshot_time, {"units": "s"})
         coordinates["axis"] = ["x", "y", "z"]
     for name, values, unit in (
         ("spin_rate", [o.spin.rate for o in simulation.observations], "rad/s"),

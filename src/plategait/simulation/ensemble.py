@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from plategait.arrays import Array, Flags
+from plategait.shown import Shown
 from plategait.simulation.observables import FAILURES, GAITS, student_95
 
 # What `together` takes of each run, by the names that stores and files use.
@@ -26,8 +27,8 @@ TAKEN = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
-class Ensemble:
+@dataclass(frozen=True, eq=False, repr=False)
+class Ensemble(Shown):
     """What n points show, each over its runs.
 
     Attributes

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plategait.arrays import Array
+from plategait.shown import Shown
 
 GAITS = ("sliding", "walking", "running")
 FAILURES = ("slipped", "turned over", "folded", "left the plate", "diverged")
@@ -120,8 +121,8 @@ def spin_rate(time: Array, angle: Array, period: float, start: float, end: float
     return SpinRate(rate, rate - half, rate + half, settled, spread)
 
 
-@dataclass(frozen=True, eq=False)
-class Twist:
+@dataclass(frozen=True, eq=False, repr=False)
+class Twist(Shown):
     """Mean velocity in the plate's plane, and how it differs from stride to stride.
 
     Attributes

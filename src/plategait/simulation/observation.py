@@ -11,6 +11,7 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.engine.recording import Recording
 from plategait.model.scenario import Scenario
+from plategait.shown import Shown
 from plategait.simulation import observables
 from plategait.simulation.energy import EnergyLedger, energy_ledger, least_energy
 from plategait.simulation.ensemble import Ensemble, together
@@ -18,8 +19,8 @@ from plategait.simulation.observables import Failure, SpinRate
 from plategait.simulation.registry import Observable, Window, find_observable, measure_all
 
 
-@dataclass(frozen=True)
-class Observation:
+@dataclass(frozen=True, repr=False)
+class Observation(Shown):
     """What one run shows. SI; NaN where a failure left nothing to measure.
 
     Attributes
@@ -44,8 +45,8 @@ class Observation:
         return self.values[name]
 
 
-@dataclass(frozen=True)
-class Glance:
+@dataclass(frozen=True, repr=False)
+class Glance(Shown):
     """The few numbers of a run that somebody asked for. SI.
 
     Attributes

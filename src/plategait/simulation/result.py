@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,7 @@ from plategait.arrays import Array
 from plategait.engine.recording import Recording
 from plategait.files.plain import plain
 from plategait.model.scenario import Scenario
+from plategait.shown import Shown
 from plategait.simulation.ensemble import Ensemble
 from plategait.simulation.observables import Failure
 from plategait.simulation.observation import Observation, ensemble_of, values_of
@@ -27,8 +30,8 @@ def _in_people_units(covariance: Array) -> list[list[float | None]] | None:
     return (covariance * np.outer(_PEOPLES, _PEOPLES)).tolist() if np.isfinite(covariance).all() else None
 
 
-@dataclass(frozen=True, eq=False)
-class Simulation:
+@dataclass(frozen=True, eq=False, repr=False)
+class Simulation(Shown):
     """One scenario, run once or as an ensemble of slightly different starts.
 
     Attributes
@@ -51,6 +54,37 @@ class Simulation:
     engine: str
     seed: int
     wall: float
+
+    def told(self) -> list[tuple[str, str]]:
+        """What a person asks first."""
+        scenario, runs = self.scenario, len(self.recordings)
+        motion, failure = scenario.motion, self.failure
+        rate = f"{math.degrees(self.spin_rate):.1f} deg/s" if math.isfinite(self.spin_rate) else "not measured"
+        low, high = (math.degrees(end) for end in self.spin_rate_interval)
+        spread = f" (95 % {low:.1f} to {high:.1f})" if math.isfinite(low) else ""
+        said = f"{failure.kind} at {failure.time:.2f} s" if failure else "none"
+        if failure and runs > 1:
+            said += f", {self.failed_runs} of {runs} runs"
+        return [
+            ("object", f"{scenario.name}, {scenario.sheet.lattice.n_nodes} nodes, {1e3 * scenario.sheet.mass:.3g} g"),
+            ("plate", f"{motion.frequency:g} Hz, {math.degrees(motion.angle):.3g} deg, {1e3 * motion.stroke:.3g} mm"),
+            ("runs", f"{runs} of {self.recordings[0].steps * self.recordings[0].dt:.3g} s"),
+            ("spin rate", rate + spread), ("gait", self.gait or "not measured"), ("failure", said),
+            ("drift", f"{1e3 * self.value('drift'):.3g} mm"),
+            ("energy", "closed" if not self.open_ledgers else f"open in {self.open_ledgers} of {runs} runs"),
+        ]  # fmt: skip
+
+    def film(self, path: Path | str, **options: Any) -> Path:
+        """Film of a run: `plategait.render.film.film`, which says what the options are.
+
+        Raises
+        ------
+        InputError
+            For a run without shapes: simulate it with a `snapshot_interval`.
+        """
+        # Whoever films stands on a higher floor.
+        written: Path = importlib.import_module("plategait.render.film").film(self, path, **options)
+        return written
 
     @cached_property
     def _ensemble(self) -> Ensemble:

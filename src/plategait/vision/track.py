@@ -14,6 +14,7 @@ import numpy as np
 from plategait.arrays import Array, Flags
 from plategait.camera.fiducials import CENTRE_MARKER, RIM_MARKER
 from plategait.files.plain import plain
+from plategait.shown import Shown
 from plategait.vision.departure import hidden_after
 from plategait.vision.findings import Findings, findings, whereabouts
 from plategait.vision.frames import Frame, open_video, repeats
@@ -42,8 +43,8 @@ LEAST_BLURRED = 0.1
 FrameCallback = Callable[[Frame, PlateView, Pose], object]
 
 
-@dataclass(frozen=True, eq=False)
-class Track:
+@dataclass(frozen=True, eq=False, repr=False)
+class Track(Shown):
     """An object's pose in each frame of a clip, and what follows from it.
 
     Attributes
@@ -91,6 +92,20 @@ class Track:
     spin: Spin
     findings: Findings
     notes: tuple[str, ...] = ()
+
+    def told(self) -> list[tuple[str, str]]:
+        """What a person asks first."""
+        spin, n = self.spin, len(self.time)
+        rate = (
+            f"{math.degrees(spin.rate):.1f} deg/s (95 % {math.degrees(spin.low):.1f} to {math.degrees(spin.high):.1f})"
+        )
+        return [
+            ("clip", self.name), ("frames", f"{n} at {self.fps:.4g} a second, {int(self.sure.sum())} sure"),
+            ("followed by", self.method), ("spin rate", rate if math.isfinite(spin.rate) else spin.reason or "none"),
+            ("drift", f"{1e3 * self.drift:.3g} mm"), ("failure", self.failure or "none"),
+            ("plate", f"{self.plate_frequency:.4g} Hz" if math.isfinite(self.plate_frequency) else "frequency unknown"),
+            *(("note", note) for note in self.notes[:3]),
+        ]  # fmt: skip
 
     @property
     def drift(self) -> float:

@@ -15,6 +15,7 @@ from plategait.identify.fit import determined, fragment_of, if_determined, scale
 from plategait.identify.series import Window
 from plategait.model.fragment import Fragment
 from plategait.model.measured import Measured, as_json
+from plategait.shown import Shown
 from plategait.theory.two_links import LEAST_ROWS, Angles, Strip
 
 Method = Literal["trajectory", "regression"]
@@ -25,8 +26,8 @@ _CORRELATED = 0.9  # beyond which stiffness and damping are hard to tell apart
 _LARGE_RESIDUAL = 0.2  # share of the range of φ2
 
 
-@dataclass(frozen=True, eq=False)
-class BendingResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class BendingResult(Shown):
     """What a bending recording says of the joint.
 
     Parameters

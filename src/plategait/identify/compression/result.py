@@ -15,6 +15,7 @@ from plategait.identify.fit import determined, fit, fragment_of, if_determined, 
 from plategait.identify.series import Window, follow, smooth, thin
 from plategait.model.fragment import Fragment
 from plategait.model.measured import Measured, as_json
+from plategait.shown import Shown
 
 Method = Literal["trajectory", "regression"]
 
@@ -34,8 +35,8 @@ class Pressing:
     force: Array
 
 
-@dataclass(frozen=True, eq=False)
-class CompressionResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class CompressionResult(Shown):
     """What a compression recording says of the joint.
 
     Parameters

@@ -20,6 +20,7 @@ from plategait.identify.friction.slide import Range, SlideFit, Stretch, find_sli
 from plategait.identify.series import thin
 from plategait.model.fragment import Fragment
 from plategait.model.measured import CONFIDENCE, Measured, as_json
+from plategait.shown import Shown
 
 _MOST_ROWS = 20_000  # in which slides are sought
 _MOST_FITTED = 4_000  # of one slide
@@ -88,8 +89,8 @@ class Trial:
         }
 
 
-@dataclass(frozen=True, eq=False)
-class FrictionResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class FrictionResult(Shown):
     """Friction of an object on a plate, from one or more tilts.
 
     Attributes

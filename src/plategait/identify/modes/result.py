@@ -12,6 +12,7 @@ from plategait.arrays import Array
 from plategait.errors import InputError
 from plategait.model.fragment import Fragment
 from plategait.model.measured import CONFIDENCE, Measured, as_json
+from plategait.shown import Shown
 
 Support = Literal["free", "cantilever"]
 
@@ -44,8 +45,8 @@ class RingMode:
         return self.omega.value / (2 * math.pi)
 
 
-@dataclass(frozen=True, eq=False)
-class RingResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class RingResult(Shown):
     """What a free vibration tells of a sheet.
 
     Attributes
