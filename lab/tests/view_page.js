@@ -26,10 +26,16 @@ globalThis.harness = {
   show(k) {
     return this.view.show(this.run.frames[k]);
   },
-  /** Show all frames up to one, so that there is a trail. */
+  /** Show a frame with the way up to it; only the last is drawn. */
   play(last) {
-    for (let k = 0; k <= last; k++) if (!this.show(k)) return false;
-    return true;
+    for (let k = 0; k < last; k++) if (!this.view.shown.take(this.run.frames[k])) return false;
+    return this.show(last);
+  },
+  /** Draw as a picture that stands still, without waiting for it. */
+  still() {
+    this.view.frame();
+    this.view.drawn = 0;
+    this.view.settle();
   },
   /** Milliseconds a picture, until its pixels can be read, and those that the main thread is busy with it. */
   measure(pictures) {

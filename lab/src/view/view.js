@@ -14,6 +14,12 @@ const MOST_EXAGGERATED = 10;
 const GRASP = 0.8;
 /** After so long without a new one a picture stands still, ms. */
 const STILL = 250;
+/** Frames that follow each other within so long are a film, ms. */
+const LIVELY = 60;
+
+/** All that the picture shows of a scenario. */
+const drawnOf = ({ sheet: { outline, pitch, thickness, mass }, plate, motion, start, slip_limit, gravity }) =>
+  JSON.stringify([outline, pitch, thickness, mass, plate, motion.height, start, slip_limit, gravity]);
 
 /**
  * @typedef {object} Frame
@@ -35,8 +41,9 @@ export class View {
     this.tellPush = null;
     this.held = null;
     this.waiting = 0;
-    this.settling = 0;
+    this.soon = this.settling = 0;
     this.drawn = 0;
+    this.lively = -Infinity;
     this.stand = null;
     if (canvas.tabIndex < 0) canvas.tabIndex = 0;
     this.listen();
@@ -82,11 +89,13 @@ export class View {
   }
 
   /**
-   * Show another sheet or plate.
+   * Show another sheet or plate; nothing is made anew where nothing of it that is drawn is another.
    * @param {object} scenario @param {object} lattice of its sheet
    */
   setSheet(scenario, lattice) {
-    const before = this.corners?.join();
+    const before = this.corners?.join(), drawn = drawnOf(scenario);
+    if (drawn === this.sheet) return;
+    this.sheet = drawn;
     this.shown = new Shown(scenario, lattice);
     this.corners = this.picture.build(this.shown);
     this.picture.recolour(this.colours);
@@ -104,6 +113,7 @@ export class View {
    */
   show(frame) {
     if (!this.shown?.take(frame)) return false;
+    this.lively = performance.now();
     this.camera.follow(this.shown.surface.centre[0], this.shown.surface.centre[1]);
     this.frame();
     return true;
@@ -112,7 +122,8 @@ export class View {
   /** Draw what there is, at once. */
   frame() {
     cancelAnimationFrame(this.waiting);
-    this.waiting = 0;
+    clearTimeout(this.soon);
+    this.waiting = this.soon = 0;
     if (!this.shown || this.gone || !this.canvas.clientWidth || !this.canvas.clientHeight) return;
     (this.stand ?? this.picture).draw(this.asked);
     this.drawn = performance.now();
@@ -126,9 +137,11 @@ export class View {
     if (!this.settling && !this.stand && !this.gone) this.picture.draw(this.asked, true);
   }
 
-  /** Draw with the screen's next picture. */
+  /** Draw with the screen's next picture, or with the next frame that is shown where they follow each other. */
   redraw() {
-    this.waiting ||= requestAnimationFrame(() => this.frame());
+    if (this.waiting || this.soon || this.gone) return;
+    if (performance.now() - this.lively < LIVELY) this.soon = setTimeout(() => this.frame(), LIVELY);
+    else this.waiting = requestAnimationFrame(() => this.frame());
   }
 
   /**
@@ -315,6 +328,7 @@ export class View {
     this.gone = true;
     cancelAnimationFrame(this.waiting);
     clearTimeout(this.settling);
+    clearTimeout(this.soon);
     this.gestures.destroy();
     this.sizes.disconnect();
     this.attributes.disconnect();
