@@ -252,7 +252,21 @@ def test_without_webgl_the_plain_picture_shows_and_pushes_the_same(picture):
     assert push["velocity"][1] > 0.03
     assert abs(push["velocity"][0]) < 0.02
     assert p.js("harness.view.snapshot().then((blob) => blob.type)") == "image/png"
+    p.js("harness.view.setLayers({bending: 'height'})")
+    assert share(p.look("flat-bent"), (0.0, 0.13, 0.3)) > 0.01
     p.js("harness.view.destroy()")
+
+
+def test_many_sheets_after_one_another_leave_nothing_behind(picture):
+    p = picture()
+    counted = []
+    for _ in range(3):
+        for name in ("cheese", "fish"):
+            p.lay(name, 3)
+        counted.append(
+            p.js("(({geometries, textures}) => [geometries, textures])(harness.view.picture.renderer.info.memory)")
+        )
+    assert counted[1] == counted[2]
 
 
 def test_a_picture_can_be_taken_and_the_view_let_go_of(picture):

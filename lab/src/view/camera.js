@@ -4,8 +4,8 @@ import { PerspectiveCamera, Vector3 } from "three";
 const RAD = Math.PI / 180;
 const FIELD_OF_VIEW = 24; // degrees
 const LOWEST = -20 * RAD, HIGHEST = 89.9 * RAD, NEAREST = 0.25, FURTHEST = 6;
-/** Share of the picture's width and height that the plate may fill. */
-const FILLED = [0.9, 0.74];
+/** Share of the picture's width that the plate may fill, and of its height from the side and, more, from above. */
+const WIDE = 0.9, HIGH = 0.74, HIGH_FROM_ABOVE = 0.18;
 
 /** Views by name: from which side and how high; `riding` is with the plate, which then stands still in the picture. */
 export const VIEWS = {
@@ -110,11 +110,12 @@ export class ViewCamera {
   /** How far off all of the plate is in the picture, m. */
   fitting() {
     const tall = Math.tan((FIELD_OF_VIEW * RAD) / 2), { azimuth: a, elevation: e } = this;
+    const filled = HIGH + HIGH_FROM_ABOVE * Math.sin(e) ** 4;
     let distance = 0;
     for (const [x, y] of this.corners) {
       const right = -Math.sin(a) * x + Math.cos(a) * y, inward = Math.cos(a) * x + Math.sin(a) * y;
       const up = -Math.sin(e) * inward, near = Math.cos(e) * inward;
-      const wide = Math.abs(right) / (this.aspect * FILLED[0]), high = Math.abs(up) / FILLED[1];
+      const wide = Math.abs(right) / (this.aspect * WIDE), high = Math.abs(up) / filled;
       distance = Math.max(distance, near + Math.max(wide, high) / tall);
     }
     return Math.max(distance, 1e-3);

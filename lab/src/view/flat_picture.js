@@ -1,8 +1,8 @@
 // The picture without WebGL: from above and along the bar, drawn on a plain canvas.
-import { css, mix } from "./colours.js";
+import { BENT, HIGH, css, mix } from "./colours.js";
 import { intoWorld } from "./frame.js";
 import { arrowLength, nodeShare } from "./loads.js";
-import { drawNotes } from "./notes.js";
+import { BAR, LINE, WIDTH, drawNotes } from "./notes.js";
 import { limitCircle } from "./trail.js";
 
 const MARGIN = 14, GAP = 10; // CSS px
@@ -19,6 +19,7 @@ export class FlatPicture {
 
   build(shown) {
     this.shown = shown;
+    this.bent = new Float32Array(shown.surface.nVertices);
     const { plate } = shown.scenario, far = REACH * Math.max(...shown.surface.size);
     this.half = plate ? [plate.length / 2, plate.width / 2] : [far, far];
     this.limit = limitCircle(shown.scenario);
@@ -56,18 +57,36 @@ export class FlatPicture {
     pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     pen.fillStyle = css(colours.panel);
     pen.fillRect(0, 0, width, height);
+    const { layers, said } = asked;
+    if (layers.bending && shown.there) said.most = shown.bent(layers.bending, this.bent);
     this.drawAbove(asked);
     this.drawBeside(asked);
+    this.writeWords(asked);
+  }
+
+  writeWords({ layers, said }) {
+    const { pen, colours, shown, above, beside, half } = this, [width, height] = this.size;
+    const { left, right } = shown.touching;
     pen.fillStyle = css(colours.muted);
     pen.font = `12px ${colours.font}`;
     pen.textAlign = "center";
     pen.textBaseline = "bottom";
-    pen.fillText("from above", this.above.x, this.above.y + this.half[1] * this.above.scale - 4);
-    pen.fillText("along the bar", this.beside.x, this.beside.y - 0.3 * this.beside.scale * shown.surface.size[1]);
-    const { said } = asked, tall = (said.exaggerated !== 1 ? 22 : 0);
+    const low = above.y + half[1] * above.scale - 4, flight = shown.there && !left && !right ? ": in flight" : "";
+    pen.fillText(`from above${flight}`, above.x, low);
+    pen.fillText("along the bar", beside.x, beside.y - 0.3 * beside.scale * shown.surface.size[1]);
+    pen.fillText("drawn flat: there is no WebGL", beside.x, beside.y + 0.4 * beside.scale * shown.surface.size[1]);
+    if (layers.legs) {
+      pen.textAlign = "left";
+      const far = above.x - half[0] * above.scale + 6;
+      for (const [name, touches, y] of [["left", left, -0.6], ["right", right, 0.6]]) {
+        pen.fillStyle = css(mix(colours[name], colours.ink, 0.25));
+        pen.fillText(`${touches ? "\u25cf" : "\u25cb"} ${name} leg`, far, above.y + y * half[1] * above.scale);
+      }
+    }
+    const tall = (said.exaggerated !== 1 ? LINE : 0) + (said.bent ? BAR : 0);
     pen.save();
-    pen.translate(width - 228, height - tall - 8);
-    drawNotes(pen, { ...said, bent: "" }, colours, 220);
+    pen.translate(width - WIDTH - 8, height - tall - 8);
+    drawNotes(pen, said, colours, WIDTH);
     pen.restore();
   }
 
@@ -108,6 +127,10 @@ export class FlatPicture {
     for (let k = 0; k < nNodes; k++) {
       const touches = hasForces ? forces[3 * k] > 0 : onPlate[3 * k + 2] <= 0;
       const left = onPlate[3 * k + 1] > surface.centre[1];
+      if (layers.bending) {
+        this.drawBent(k, layers.bending);
+        continue;
+      }
       pen.fillStyle = css(layers.legs ? (left ? colours.left : colours.right) : colours.ink, touches ? 1 : 0.25);
       pen.beginPath();
       pen.arc(x + scale * onPlate[3 * k], y - scale * onPlate[3 * k + 1], 0.2 * surface.pitch * scale, 0, 2 * Math.PI);
@@ -122,6 +145,16 @@ export class FlatPicture {
     line([cx + 0.5 * far * cos, cy + 0.5 * far * sin, cx + far * cos, cy + far * sin], false);
     pen.stroke();
     pen.lineWidth = 1;
+  }
+
+  /** A square of a node's own, in the colour of how bent or high it is. */
+  drawBent(node, kind) {
+    const { pen, shown } = this, { x, y, scale } = this.above, { onPlate, surface } = shown;
+    const [low, middle, high] = kind === "height" ? HIGH : BENT;
+    const value = Math.max(-1, Math.min(1, shown.bentAt(kind, node)));
+    pen.fillStyle = css(value < 0 ? mix(middle, low, -value) : mix(middle, high, value));
+    const wide = 0.86 * surface.pitch * scale;
+    pen.fillRect(x + scale * onPlate[3 * node] - wide / 2, y - scale * onPlate[3 * node + 1] - wide / 2, wide, wide);
   }
 
   /** A line from each node along its friction, as long as in the other picture. */

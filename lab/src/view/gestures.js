@@ -1,6 +1,11 @@
 // Mouse, touch and keyboard on the picture: turn it, move it, come nearer, or push the sheet.
 
 const TURN_PER_PIXEL = 0.008, KEY_TURN = Math.PI / 24, KEY_PAN = 0.06, KEY_ZOOM = 1.15;
+/** What the keys do, in words for whoever asks. */
+export const PICTURE_KEYS =
+  "arrows: turn the picture \u00b7 shift and arrows: move it \u00b7 + and \u2212: nearer and further \u00b7 " +
+  "0 to 3: from the side, from above, along the bar, with the plate";
+
 const LOOKS = { 0: "default", 1: "above", 2: "bar", 3: "plate" };
 
 /**

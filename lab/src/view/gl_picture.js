@@ -205,6 +205,7 @@ export class GlPicture {
     for (const part of [...this.parts, ...this.past]) part.dispose();
     this.notes.dispose();
     this.renderer.dispose();
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext(); // a browser has few, and keeps them for long
   }
 }
 

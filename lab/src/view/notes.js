@@ -2,7 +2,8 @@
 import { BufferAttribute, BufferGeometry, CanvasTexture, LinearFilter, Mesh, ShaderMaterial, Vector2 } from "three";
 import { BENT, HIGH, css } from "./colours.js";
 
-const WIDTH = 220, LINE = 22, BAR = 46; // CSS px
+/** CSS px: how wide the notes are, how high a line of words is, and the scale of colours. */
+export const WIDTH = 220, LINE = 22, BAR = 46;
 const MARGIN = 8;
 
 const VERTEX = /* glsl */ `

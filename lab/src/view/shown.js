@@ -71,6 +71,13 @@ export class Shown {
     }
   }
 
+  /** The same of a node, once `bent` was asked for the kind. */
+  bentAt(kind, node) {
+    const most = this.most[kind];
+    if (kind === "height") return (2 * this.onPlate[3 * node + 2]) / most - 1;
+    return this.curvature.values[node] / most;
+  }
+
   /** Forget the way so far. */
   forget() {
     this.way.clear();
