@@ -35,7 +35,7 @@ from plategait.cli.track_strip import track_strip
 from plategait.errors import InputError
 
 app = typer.Typer(
-    add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]},
+    pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]},
     help="Simulates a thin soft object on a vibrating plate: how it slides, walks, runs and spins.",
 )  # fmt: skip
 

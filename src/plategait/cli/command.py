@@ -11,6 +11,7 @@ import typer
 from typer.core import TyperCommand
 from typer.exceptions import TyperException
 
+from plategait.cli.help_pages import complete
 from plategait.errors import InputError, printable
 
 if TYPE_CHECKING:
@@ -30,6 +31,18 @@ _UNITS = {"deg", "rad", "m", "mm", "cm", "s", "ms", "g", "kg", "hz", "khz", "pi"
 
 class Command(TyperCommand):
     """A command that says `--mu-k` where `friction.kinetic` came from it."""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        """Make a command with what help says of it (`help_pages`)."""
+        super().__init__(*args, **options)
+        complete(self)
+
+    def get_help_option(self, ctx: Any) -> Any:
+        """`--help`, which takes no value."""
+        option = super().get_help_option(ctx)
+        if option is not None:
+            option.metavar = ""
+        return option
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the options; whatever is wrong with them is known to belong to this command."""
