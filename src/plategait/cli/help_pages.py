@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typer.core import TyperCommand
+    from typer.core import TyperCommand, TyperOption
 
 # Groups, in the order in which they are shown; an option that is in none is the command's own.
 _GROUPS = {
@@ -79,8 +79,10 @@ EXAMPLES = {
 
 def complete(command: TyperCommand) -> None:
     """Give a command's options their groups and what they are written in, and the command its examples."""
+    from typer.core import TyperOption
+
     for parameter in command.params:
-        if parameter.param_type_name != "option":
+        if not isinstance(parameter, TyperOption):
             continue
         name = parameter.name or ""
         if name in _GROUP_OF and not parameter.rich_help_panel:
@@ -91,9 +93,7 @@ def complete(command: TyperCommand) -> None:
         command.epilog = "\n\n".join(("Examples:", *examples))
 
 
-def _written_in(parameter: object) -> str | None:
-    shown = str(parameter.display_type(None))  # type: ignore[attr-defined]
+def _written_in(parameter: TyperOption) -> str | None:
     # A choice of words says more than any name for it.
-    if "|" in shown:
-        return None
-    return _WRITTEN_IN.get(parameter.name or "")  # type: ignore[attr-defined]
+    is_choice = parameter.type_descriptor.is_choice
+    return None if is_choice else _WRITTEN_IN.get(parameter.name or "")
