@@ -43,6 +43,9 @@ if TYPE_CHECKING:
     from plategait.model.machine import MACHINES as MACHINES
     from plategait.model.machine import Machine as Machine
     from plategait.model.machine import machine_of as machine_of
+    from plategait.model.material import Material as Material
+    from plategait.model.materials import MATERIALS as MATERIALS
+    from plategait.model.materials import named_material as named_material
     from plategait.model.motion import Held as Held
     from plategait.model.motion import PlateMotion as PlateMotion
     from plategait.model.motion import Samples as Samples
@@ -95,6 +98,8 @@ _HOMES = {
     "model.contact": ("Contact", "Friction"),
     "model.fragment": ("Fragment", "read_fragment", "write_fragment"),
     "model.machine": ("MACHINES", "Machine", "machine_of"),
+    "model.material": ("Material",),
+    "model.materials": ("MATERIALS", "named_material"),
     "model.motion": ("Held", "PlateMotion", "Samples", "Wave"),
     "model.needs": ("Needs", "needs"),
     "model.outline": ("Disk", "Ellipse", "Mask", "Polygon", "Rectangle"),

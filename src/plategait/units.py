@@ -37,7 +37,8 @@ COMMON_UNITS: dict[str, tuple[float, str]] = {
     "m^2/s^2": (1.0, "m^2/s^2"), "mm^2/s^2": (1e-6, "m^2/s^2"), "m*rad/s^2": (1.0, "m*rad/s^2"),
     "mm*deg/s^2": (1e-3 * _DEG, "m*rad/s^2"), "rad^2/s^2": (1.0, "rad^2/s^2"), "deg^2/s^2": (_DEG**2, "rad^2/s^2"),
     "J": (1.0, "J"), "W": (1.0, "W"), "mW": (1e-3, "W"),
-    "Pa": (1.0, "Pa"), "kPa": (1e3, "Pa"), "N*m": (1.0, "N*m"), "mN*m": (1e-3, "N*m"),
+    "Pa": (1.0, "Pa"), "kPa": (1e3, "Pa"), "MPa": (1e6, "Pa"), "GPa": (1e9, "Pa"), "N/mm^2": (1e6, "Pa"),
+    "kg/m^3": (1.0, "kg/m^3"), "g/cm^3": (1e3, "kg/m^3"), "N*m": (1.0, "N*m"), "mN*m": (1e-3, "N*m"),
     "N/m": (1.0, "N/m"), "N/mm": (1e3, "N/m"),
     "N*s/m": (1.0, "N*s/m"), "N/(mm/s)": (1e3, "N*s/m"), "N*s/mm": (1e3, "N*s/m"),
     "N*m/rad": (1.0, "N*m/rad"), "N*mm/deg": (1e-3 / _DEG, "N*m/rad"), "N*mm/rad": (1e-3, "N*m/rad"),
@@ -227,10 +228,15 @@ AxialStiffness = Annotated[float, Quantity("N/m", "N/mm", "0.79 N/mm", above=0)]
 AxialDamping = Annotated[float, Quantity("N*s/m", "N/(mm/s)", "4.9e-4 N/(mm/s)", at_least=0)]
 BendingStiffness = Annotated[float, Quantity("N*m/rad", "N*mm/deg", "2.72e-3 N*mm/deg", at_least=0)]
 BendingDamping = Annotated[float, Quantity("N*m*s/rad", "N*mm/(deg/s)", "4.23e-6 N*mm/(deg/s)", at_least=0)]
+YoungModulus = Annotated[float, Quantity("Pa", "MPa", "0.5 MPa", at_least=100.0, at_most=2e12)]
+Density = Annotated[float, Quantity("kg/m^3", "kg/m^3", "1100 kg/m^3", at_least=5.0, at_most=25e3)]
+PoissonRatio = Annotated[float, Quantity("", "", "0.3", above=-1.0, at_most=0.5)]
+LossFactor = Annotated[float, Quantity("", "", "0.1", at_least=0, at_most=2)]
 Coefficient = Annotated[float, Quantity("", "", "0.75", at_least=0)]
 Ratio = Annotated[float, Quantity("", "", "1", above=0)]
 
 ANGULAR_FREQUENCY = Quantity("rad/s", "rad/s", "10 pi rad/s", above=0)
+DAMPING = Quantity("", "", "0.05", at_least=0, at_most=1)
 ANGLE = Quantity("rad", "deg", "12 deg")
 STROKE = Quantity("m", "mm", "3 mm")
 PLATE_ANGLE = Quantity("rad", "deg", "3 deg", at_least=-math.pi / 2, at_most=math.pi / 2)

@@ -54,6 +54,8 @@ _TAGS: set[str] = set()
 class Model(_Fields):
     """A frozen description. Bad input raises `InputError`, one line that says what to type."""
 
+    also_read: ClassVar[tuple[str, ...]] = ()
+    """Names that are no fields and may be given all the same, as a validator makes fields of them."""
     model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
 
     @classmethod
@@ -96,7 +98,7 @@ class Model(_Fields):
         fields |= own
         for name, nested in inside.items():
             if name not in type(self).model_fields:
-                raise _unknown_field(type(self), name)
+                raise unknown_field(type(self), name)
             fields[name] = _part_with(fields[name], nested, name, f"{name} = {_example(type(self), name)}")
         return fields
 
@@ -156,9 +158,10 @@ def _elements_with(part: tuple[Any, ...], changes: Mapping[str, Any]) -> tuple[A
     return tuple(elements.values())
 
 
-def _unknown_field(model: type[Model], name: str) -> InputError:
-    fields = list(model.model_fields)
-    close = difflib.get_close_matches(name, fields, n=1)
+def unknown_field(model: type[Model], name: str) -> InputError:
+    """What to raise for a name that a model does not know, with the nearest that it does."""
+    fields = [*model.model_fields, *model.also_read]
+    close = difflib.get_close_matches(name, fields, n=1) or [f for f in fields if f"_{name}_" in f"_{f}_"]
     hint = close[0] if close else "leaving it out"
     return InputError(name, "nothing known by that name", f"one of {', '.join(fields)}", hint)
 
@@ -181,7 +184,7 @@ def _input_error(model: type[Model], detail: ErrorDetails) -> InputError:
     if isinstance(got, Model):
         got = f"a {type(got).__name__}"
     if kind == "extra_forbidden":
-        return _unknown_field(model, field)
+        return unknown_field(model, field)
     if kind == "missing" and len(path) == 1:
         return InputError(field, "nothing", "given", f"{field} = {_example(model, field)}")
     if kind in ("union_tag_not_found", "union_tag_invalid"):

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from functools import cached_property
+from typing import Any, ClassVar
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from plategait.errors import InputError
-from plategait.model.base import Model
+from plategait.model.base import Model, quantity_of, unknown_field
 from plategait.model.lattice import Lattice
+from plategait.model.material import DERIVED, KEYS, Material
+from plategait.model.materials import material_told
 from plategait.model.modes import Modes, free_modes
 from plategait.model.outline import SHAPES, Outline, occupied_squares
 from plategait.units import (
@@ -34,7 +38,12 @@ class Sheet(Model):
 
     In its plane the lattice yields in shear by its diagonals, of stiffness ``shear_ratio`` times k_c and damping c_c.
     The joint of section 3.2.2 has no in-plane shear freedom: a ratio above 1 is nearer its rigid tiles.
+
+    In place of the joints, and of the mass, a material can be told, here and in files: ``young_modulus``, ``density``,
+    ``poisson_ratio``, ``loss_factor`` or ``damping_ratio``, or ``material`` by its name. See `from_material`.
     """
+
+    also_read: ClassVar[tuple[str, ...]] = KEYS
 
     name: str = Field(default="sheet", description="what the results call it", examples=['"cheese"'])
     outline: Outline = Field(
@@ -56,6 +65,101 @@ class Sheet(Model):
     torsion_stiffness: BendingStiffness = Field(default=0.0, description="k_t, free in the dissertation")
     torsion_damping: BendingDamping = Field(default=0.0, description="c_t")
 
+    @model_validator(mode="before")
+    @classmethod
+    def _of_a_material(cls, data: Any) -> Any:
+        return cls._fields_of_a_material(data) if isinstance(data, dict) and not data.keys().isdisjoint(KEYS) else data
+
+    @classmethod
+    def _fields_of_a_material(cls, data: Mapping[str, Any]) -> dict[str, Any]:
+        """Every field of a sheet that is told its material, the joints and the mass that follow among them."""
+        rest = {name: value for name, value in data.items() if name not in KEYS}
+        for name in rest:
+            if name not in cls.model_fields:
+                raise unknown_field(cls, name)
+            if name in DERIVED:
+                raise InputError(name, rest[name], "left out where a material is told, as it follows",
+                                 "leaving it out, or Sheet.from_material")  # fmt: skip
+        material = material_told({name: value for name, value in data.items() if name in KEYS})
+        if "mass" in rest and "density" in data:
+            raise InputError("density", data["density"], "left out where the mass is told", "one of the two")
+        if "mass" not in rest and material.density is None:
+            raise InputError("density", "nothing", "given, or else the mass", 'density = "1100 kg/m^3"')
+        thickness = quantity_of(cls, "thickness")
+        if "thickness" not in rest or thickness is None:
+            raise InputError("thickness", "nothing", "given with a material", 'thickness = "1 mm"')
+        joints = material.joints(thickness.read(rest["thickness"], "thickness"))
+        sheet = cls(**{"mass": 1.0, **rest, **joints})
+        if material.density is not None and "mass" not in rest:
+            sheet = sheet.made_of(mass=material.density * sheet.thickness * sheet.area)
+        damping = material.damping(joints, sheet.natural_frequency) if material.loss_factor else {}
+        return {name: getattr(sheet, name) for name in cls.model_fields} | damping
+
+    @classmethod
+    def from_material(
+        cls,
+        outline: Outline,
+        young_modulus: float | str | None = None,
+        thickness: float | str | None = None,
+        density: float | str | None = None,
+        *,
+        poisson_ratio: float | None = None,
+        loss_factor: float | None = None,
+        damping_ratio: float | None = None,
+        mass: float | str | None = None,
+        material: Material | str | None = None,
+        pitch: float | str | None = None,
+        name: str | None = None,
+    ) -> Sheet:
+        """Sheet of an isotropic material, its joints by plate theory (docs/materials.md).
+
+        Parameters
+        ----------
+        outline : Disk, Ellipse, Rectangle, Polygon or Mask
+            What it is cut to.
+        young_modulus : float or str
+            E, Pa; text may say "0.5 MPa". May be left out where `material` tells it, as may those below.
+        thickness : float or str
+            h, m.
+        density : float or str
+            ρ, kg/m³. A node weighs ρ h l²: the mass is that of the lattice's squares, so that the mass per area, and
+            with it every frequency and pressure, is the material's; it comes to the outline's as the pitch shrinks.
+        poisson_ratio : float, optional
+            ν, 0.3 if nobody says. At 0 the lattice is the plate; docs/materials.md has the errors elsewhere.
+        loss_factor : float, optional
+            η at the dish mode's frequency; none is no damping.
+        damping_ratio : float, optional
+            ζ of the dish mode in its place, η/2.
+        mass : float or str, optional
+            Weighed mass in place of the density, kg.
+        material : Material or str, optional
+            A named one (`plategait materials`), whose numbers hold where nothing else is told.
+        pitch : float or str, optional
+            l, m; 10 mm.
+        name : str, optional
+            What the results call it.
+
+        Raises
+        ------
+        InputError
+            When a number is not as it must be, or two contradict each other, such as mass and density.
+
+        Examples
+        --------
+        >>> from plategait.model.outline import Rectangle
+        >>> sheet = Sheet.from_material(Rectangle(length="60 mm", width="40 mm"), "0.5 MPa", "1 mm", "1100 kg/m^3")
+        >>> round(1e3 * sheet.mass, 3)
+        2.64
+        """
+        told = {
+            "young_modulus": young_modulus, "thickness": thickness, "density": density, "poisson_ratio": poisson_ratio,
+            "loss_factor": loss_factor, "damping_ratio": damping_ratio, "mass": mass, "material": material,
+            "pitch": pitch, "name": name,
+        }  # fmt: skip
+        if young_modulus is None and material is None:
+            raise InputError("young_modulus", "nothing", "given, or else a material", '"0.5 MPa"')
+        return cls(outline=outline, **{key: value for key, value in told.items() if value is not None})
+
     def model_post_init(self, context: object) -> None:
         """Lay out the lattice now, so that an outline without a sheet is refused at once."""
         _ = self.lattice
@@ -70,6 +174,11 @@ class Sheet(Model):
         other = self.with_valid(**fields)
         other.__dict__["lattice"] = self.lattice
         return other
+
+    @property
+    def area(self) -> float:
+        """Area of the lattice's squares, m²: near that of the outline, and the nearer the finer the pitch."""
+        return self.lattice.n_nodes * self.pitch**2
 
     @property
     def node_mass(self) -> float:
