@@ -138,6 +138,7 @@ MODES = [
     Mode(("steer", "--path", "goals.csv"), typed(path="other.csv"), ("--height",)),
     Mode(("steer", "--to", "0 mm, 0 mm", "--through-pixels"),
          typed(camera_rate="60 Hz", camera_delay="10 ms", dark="1:2 s"), ("--camera-noise", "--missed")),
+    Mode(("materials",), JSON),
     Mode(("scenario",), typed(print="cheese", json="")),
     Mode(("scenario", "cheese"), JSON),
     Mode(("scenario", "--print", "cheese"), {}),

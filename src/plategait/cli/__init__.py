@@ -16,6 +16,7 @@ from plategait.cli.estimate_all import estimate_all
 from plategait.cli.export import export
 from plategait.cli.identify.commands import identify
 from plategait.cli.lab import lab
+from plategait.cli.materials import materials
 from plategait.cli.modes import modes
 from plategait.cli.moves import moves
 from plategait.cli.needs import needs_command
@@ -63,6 +64,7 @@ app.command(name="needs", cls=Command)(needs_command)
 app.command(cls=Command)(optimize)
 app.command(cls=Command)(moves)
 app.command(cls=Command)(steer)
+app.command(cls=Command)(materials)
 app.command(name="scenario", cls=Command)(scenario_command)
 app.command(cls=Command)(estimate)
 app.command("estimate-all", cls=Command)(estimate_all)

@@ -76,7 +76,7 @@ _ROWS: tuple[tuple[str, float, float, float, float, float, float | None, str], .
     ("felt-wool", 1.0, 0.1, 10.0, 0.1, 250, None,
      "typical of pressed felt, which differs by ten either way and along its own directions: measure a strip"),
     ("leather", 200.0, 100.0, 500.0, 0.3, 900, None, _ASHBY),
-    ("paper", 4000.0, 2000.0, 8900.0, 0.3, 750, None,
+    ("paper", 4000.0, 3000.0, 8900.0, 0.3, 750, None,
      f"{_ASHBY}: paper and cardboard; twice as stiff along the machine's direction as across it"),
     ("film-polyethylene", 250.0, 100.0, 900.0, 0.42, 920, None, "typical of films of low density; " + _ASHBY),
     ("film-polyester", 4000.0, 2800.0, 5000.0, 0.38, 1390, None, f"{_ASHBY}; drawn films are the stiffer"),
