@@ -163,7 +163,7 @@ def test_a_negative_value_is_refused_where_the_least_is_zero():
     for quantity in (q for q in QUANTITIES.values() if max(q.above, q.at_least) >= 0):
         refused(quantity, -1.0)
         refused(quantity, f"-1 {quantity.display}")
-        if quantity.above == 0:
+        if quantity.above == 0 or quantity.at_least > 0:
             refused(quantity, 0)
         else:
             assert quantity.read(0, "f") == 0.0
