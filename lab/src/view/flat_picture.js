@@ -72,9 +72,10 @@ export class FlatPicture {
     pen.textAlign = "center";
     pen.textBaseline = "bottom";
     const low = above.y + half[1] * above.scale - 4, flight = shown.there && !left && !right ? ": in flight" : "";
+    const off = Math.min(0.5 * half[1] * beside.scale, height / 2 - 60);
     pen.fillText(`from above${flight}`, above.x, low);
-    pen.fillText("along the bar", beside.x, beside.y - 0.3 * beside.scale * shown.surface.size[1]);
-    pen.fillText("drawn flat: there is no WebGL", beside.x, beside.y + 0.4 * beside.scale * shown.surface.size[1]);
+    pen.fillText("along the bar", beside.x, beside.y - off);
+    pen.fillText("drawn flat: there is no WebGL", beside.x, beside.y + off + 12);
     if (layers.legs) {
       pen.textAlign = "left";
       const far = above.x - half[0] * above.scale + 6;
