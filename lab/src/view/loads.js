@@ -1,8 +1,8 @@
 // How large forces are drawn: by a node's share of the sheet's weight.
 
 /** Radius of a disc and length of an arrow over the pitch, at the node's share of the weight; and the most. */
-const RADIUS = 0.13, LEAST_RADIUS = 0.07, MOST_RADIUS = 0.4, LENGTH = 0.6, MOST_LENGTH = 2;
-const LEAST_LENGTH = 0.08; // shorter arrows are left out
+const RADIUS = 0.15, LEAST_RADIUS = 0.07, MOST_RADIUS = 0.42, LENGTH = 0.8, MOST_LENGTH = 2.4;
+const LEAST_LENGTH = 0.16; // shorter arrows are left out
 
 /** A node's share of the sheet's weight, N. */
 export const nodeShare = ({ sheet, gravity }, nNodes) =>
