@@ -242,6 +242,7 @@ def test_without_webgl_the_plain_picture_shows_and_pushes_the_same(picture):
     p = picture(before=WITHOUT_WEBGL)
     p.lay("fish")
     p.js("harness.view.setGoal({x: 0.03, y: 0.02, angle: 0.5}); harness.view.setExaggeration(5)")
+    p.js("harness.view.setLayers({forces: false})")
     assert share(p.look("flat"), GOLD) > 0.03
     mouse = p.tab.page.mouse
     mouse.move(198, 200)
