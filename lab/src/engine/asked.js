@@ -1,5 +1,6 @@
 // What a session may be asked for, and what it refuses.
-import { checkScenario, latticeOf } from "../model/scenario.js";
+import { checkScenario } from "../model/scenario.js";
+import { areCutAlike } from "../model/sheet.js";
 
 const FASTEST = 100; // m/s or rad/s of a kick
 const FURTHEST = 10; // m or rad
@@ -41,9 +42,9 @@ export const checkSaved = (saved, session) => {
     if (name !== "edge" && kept[name].length !== array.length) throw refusal;
   }
   if (![0, session.state.x.length].includes(kept.edge.length)) throw refusal;
-  saved.scenarios.forEach((s) => {
+  saved.scenarios.forEach((s, j) => {
     checkScenario(s);
-    if (latticeOf(s.sheet) !== session.lattice) throw refusal;
+    if (!areCutAlike(s.sheet, session.scenarios[j].sheet)) throw refusal;
     if (s.plate && !kept.edge.length) throw refusal;
   });
 };

@@ -6,6 +6,7 @@ import { featuresOf, packCourses, packParameters } from "../model/packing.js";
 import { startPositions, strideOf, thinningOf } from "../model/recording.js";
 import { roundHalfEven } from "../model/rounding.js";
 import { checkScenario, latticeOf, timeStep } from "../model/scenario.js";
+import { areCutAlike } from "../model/sheet.js";
 import { LaidDownAnew, checkKick, checkOffset, checkSaved } from "./asked.js";
 import { allFinite, byChannel, multiples, shapesOf } from "./piece.js";
 
@@ -187,7 +188,7 @@ export class Session {
   become(run, scenario, ramp = scenario.motion?.ramp) {
     const step = timeStep(this.scenarios[run]);
     checkScenario({ ...scenario, time_step: null });
-    if (latticeOf(scenario.sheet) !== this.lattice) throw new LaidDownAnew("a sheet of another lattice");
+    if (!areCutAlike(scenario.sheet, this.scenarios[run].sheet)) throw new LaidDownAnew("a sheet of another lattice");
     if (scenario.motion.height !== this.scenarios[run].motion.height) throw new LaidDownAnew("a plate about another axis");
     const usual = timeStep({ ...scenario, time_step: null });
     if (usual < step * (1 - 1e-9)) throw new LaidDownAnew("what needs a shorter time step");

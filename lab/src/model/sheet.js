@@ -13,11 +13,16 @@ const MOST_KEPT = 12;
 const byOutline = new WeakMap();
 const byText = new Map();
 
+const cutOf = ({ outline, pitch }) => JSON.stringify([outline, pitch]);
+
+/** Whether two sheets have the same nodes. */
+export const areCutAlike = (one, other) => cutOf(one) === cutOf(other);
+
 /** Lattice of a sheet, the same for sheets of like outline and pitch. @returns {import("./lattice.js").Lattice} */
 export const latticeOf = ({ outline, pitch }) => {
   const known = byOutline.get(outline);
   if (known?.pitch === pitch) return known.lattice;
-  const text = JSON.stringify([outline, pitch]);
+  const text = cutOf({ outline, pitch });
   const found = byText.get(text) ?? lattice(occupiedSquares(outline, pitch));
   byText.delete(text);
   byText.set(text, found);
