@@ -105,7 +105,8 @@ export class Live {
     this.pending = false;
     if (run !== this.run) return;
     const wall = (reply.wall ?? performance.now() - began) / 1000;
-    if (seconds > 1e-6 && wall > 0) this.capacity = smoothed(this.capacity, seconds / wall);
+    const gone = reply.seconds ?? seconds; // less than was asked for where it took too long
+    if (gone > 1e-6 && wall > 0) this.capacity = smoothed(this.capacity, gone / wall);
     this.samples.add(reply.samples);
     this.frames.add(reply.frames.filter((frame) => finite(frame.nodes)));
     if (reply.diverged || reply.frames.some((frame) => !finite(frame.nodes))) this.ended = "diverged";

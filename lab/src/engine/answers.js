@@ -102,11 +102,11 @@ export class Answers {
 
   /**
    * Frames evenly through so many seconds, each with what the plate gives and gets, and the samples on the way. Fewer
-   * frames where they take too long: the last tells how far the sheet has come.
+   * frames where they take too long: `seconds` tells how far the sheet has come.
    */
   advance({ key, seconds, frames = 1, forces = true }) {
     const session = this.#session({ key });
-    const [began, shown, pieces] = [performance.now(), [], []];
+    const [began, from, shown, pieces] = [performance.now(), session.time(), [], []];
     const steps = Math.max(1, Math.round(seconds / timeStep(session.scenarios[0])));
     const count = Math.max(1, Math.min(Math.round(frames), MOST_FRAMES, steps));
     if (!Number.isFinite(steps) || !Number.isFinite(count)) throw new Error("no finite time to go on for; try seconds: 0.1");
@@ -124,7 +124,8 @@ export class Answers {
     }
     const samples = pieces.length ? joined(pieces) : {};
     const arrays = [...shown.flatMap(({ nodes, forces: felt }) => (felt ? [nodes, felt] : [nodes])), ...Object.values(samples)];
-    return { told: "frames", frames: shown, samples, diverged: session.diverged(), wall: performance.now() - began, arrays };
+    const [gone, wall] = [session.time() - from, performance.now() - began];
+    return { told: "frames", frames: shown, samples, diverged: session.diverged(), seconds: gone, wall, arrays };
   }
 
   change({ key, motion, ramp }) {
