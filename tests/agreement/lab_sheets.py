@@ -121,3 +121,32 @@ def motion(generator: np.random.Generator) -> dict[str, Any]:
             for axis in axes
         }
     return fields
+
+
+def random_cuts(count: int, seed: int) -> list[dict[str, Any]]:
+    """Outlines with a pitch, plain: half of them in round numbers, so that middles of squares lie on their edges."""
+    generator = np.random.default_rng(seed)
+    return [_cut(generator, str(generator.choice(SHAPES)), bool(i % 2)) for i in range(count)]
+
+
+def _cut(generator: np.random.Generator, shape: str, is_round: bool) -> dict[str, Any]:
+    def length(low: float, high: float) -> float:
+        size = float(generator.uniform(low, high))
+        return round(1e3 * size) / 1e3 if is_round else size
+
+    pitch = float(generator.choice([0.002, 0.0025, 0.004, 0.01])) if is_round else length(0.0015, 0.02)
+    fields: dict[str, Any] = {}
+    if shape == "disk":
+        fields["radius"] = length(0.002, 0.06)
+    elif shape in ("ellipse", "rectangle"):
+        fields |= {"length": length(0.002, 0.1), "width": length(0.002, 0.1)}
+    elif shape == "polygon":
+        count, along = int(generator.integers(3, 9)), generator.uniform(0, 1) < 0.1
+        fields["corners"] = [
+            [0.01 * k, 0.02 * k + 0.003] if along else [length(-0.06, 0.06), length(-0.06, 0.06)] for k in range(count)
+        ]
+    else:
+        dark = generator.uniform(0, 1, generator.integers(1, 12, 2)) < 0.85
+        fields["rows"] = ["".join(".#"[int(pixel)] for pixel in row) for row in dark]
+        fields["width_of_picture"] = length(0.01, 0.1)
+    return {"outline": {"shape": shape, **fields}, "pitch": pitch}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import copy
 from collections.abc import Iterator
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from lab_scripts import ENGINE, asked, needs_engine
-from lab_sheets import plain, random_groups
+from lab_sheets import plain, random_cuts, random_groups
 
 import plategait as pg
 from plategait.errors import InputError
@@ -65,6 +66,9 @@ SHEETS = [
 ]  # fmt: skip
 
 
+CUTS = random_cuts(400, seed=1)
+
+
 @pytest.fixture(scope="module")
 def damaged() -> list[tuple[dict[str, Any], str | None]]:
     return spoilt(400, seed=3)
@@ -75,7 +79,7 @@ def answer(damaged) -> dict[str, Any]:
     """What the lab makes of all of them, in one process."""
     return asked("engine.js", {
         "engine": str(ENGINE), "refused": [fields for fields, _ in damaged],
-        "sheets": [plain(s)["sheet"] for s in SHEETS],
+        "sheets": [plain(s)["sheet"] for s in SHEETS], "cuts": CUTS,
     })  # fmt: skip
 
 
@@ -96,3 +100,23 @@ def test_scenarios_are_refused_for_the_same_field(answer, damaged):
 def test_natural_frequencies_are_the_same(answer):
     for scenario, told in zip(SHEETS, answer["frequencies"], strict=True):
         assert float(told) == pytest.approx(scenario.sheet.natural_frequency, rel=1e-6), scenario.sheet.outline
+
+
+def occupied(outline: dict[str, Any], pitch: float) -> np.ndarray | str:
+    """Squares of a sheet, or the field that it is refused for."""
+    try:
+        return CHEESE.replace(**{"sheet.outline": outline, "sheet.pitch": pitch}).sheet.lattice.occupied
+    except InputError as error:
+        return error.field
+
+
+def test_outlines_are_cut_to_the_same_squares_or_refused_alike(answer):
+    wanted = [occupied(**cut) for cut in CUTS]
+    assert 40 < sum(isinstance(want, str) for want in wanted) < 200
+    for want, told in zip(wanted, answer["cuts"], strict=True):
+        if isinstance(want, str):
+            assert told == {"field": want}
+        else:
+            got = np.frombuffer(base64.b64decode(told["inside"]["bytes"]), dtype=bool)
+            assert (told["columns"], told["rows"]) == want.shape
+            assert np.array_equal(got, want.ravel())

@@ -6,11 +6,12 @@ import { Session } from "../../src/engine/session.js";
 import { courseOf } from "../../src/model/course.js";
 import { naturalFrequency } from "../../src/model/modes.js";
 import { featuresOf, packCourses, packParameters } from "../../src/model/packing.js";
+import { checkOutline, occupiedSquares } from "../../src/model/outline.js";
 import { startPositions, stepsOf, strideOf } from "../../src/model/recording.js";
 import { checkScenario, latticeOf, timeStep } from "../../src/model/scenario.js";
 import { observe } from "../../src/simulation/observe.js";
 
-const { engine: bytes, told = [], runs = [], refused = [], sessions = [], sheets = [] } =
+const { engine: bytes, told = [], runs = [], refused = [], sessions = [], sheets = [], cuts = [] } =
   JSON.parse(readFileSync(0, "utf8"));
 const engine = await loadEngine(readFileSync(bytes));
 const answers = new Answers(engine);
@@ -47,6 +48,17 @@ const fieldRefused = (s) => {
   }
 };
 
+/** The squares that a sheet is cut to, or the field that it is refused for. */
+const cutOf = ({ outline, pitch }) => {
+  try {
+    checkOutline(outline);
+    const { columns, rows, inside } = occupiedSquares(outline, pitch);
+    return { columns, rows, inside: coded(inside) };
+  } catch (error) {
+    return { field: error.field };
+  }
+};
+
 const asked = (message) => {
   const { reply } = answers.to({ id: 0, ...message });
   if (reply.refused) throw new Error(`${reply.refused.field}: ${reply.refused.message}`);
@@ -79,4 +91,5 @@ process.stdout.write(JSON.stringify({
   refused: refused.map(fieldRefused),
   sessions: sessions.map(lived),
   frequencies: sheets.map(naturalFrequency),
+  cuts: cuts.map(cutOf),
 }, worded));
