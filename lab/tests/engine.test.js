@@ -123,7 +123,7 @@ engineTest("a changed motion is gone over to without a jolt", () => {
   assert.ok(Math.max(...way.slice(-80)) < 1.05e-3);
 });
 
-engineTest("a sheet takes another stiffness where it is, and must be laid down anew for another lattice or a shorter step", () => {
+engineTest("a sheet takes another stiffness where it is, and is laid down anew for another lattice or step", () => {
   const session = new Session(engine, [cheese()]);
   session.advance({ seconds: 0.1 });
   const before = session.nodes();
@@ -221,7 +221,8 @@ engineTest("a pool shares questions over workers, and a stopped one leaves the o
   const stopping = new AbortController();
   const long = observe(20, 600, { signal: stopping.signal });
   const progress = [];
-  const short = [10, 12, 14].map((frequency) => observe(frequency, 0.2, { onProgress: (fraction) => progress.push(fraction) }));
+  const onProgress = (fraction) => progress.push(fraction);
+  const short = [10, 12, 14].map((frequency) => observe(frequency, 0.2, { onProgress }));
   const all = await Promise.all(short);
   assert.deepEqual(all.map(({ observations }) => observations.length), [1, 1, 1]);
   assert.deepEqual(progress, [1, 1, 1]);

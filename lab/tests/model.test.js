@@ -18,7 +18,8 @@ const near = (got, want, within) => assert.ok(Math.abs(got - want) <= within, `$
 
 /** Rows of a lattice as text, the top one first. */
 const drawn = ({ columns, rows, inside }) =>
-  Array.from({ length: rows }, (_, j) => Array.from({ length: columns }, (__, i) => ".#"[inside[i * rows + rows - 1 - j]]).join(""));
+  Array.from({ length: rows }, (_, j) =>
+    Array.from({ length: columns }, (__, i) => ".#"[inside[i * rows + rows - 1 - j]]).join(""));
 
 test("the dissertation's disk is 8 × 8 squares less three at each corner", () => {
   assert.deepEqual(drawn(occupiedSquares({ shape: "disk", radius: 0.04 }, 0.01)).map((row) => row.match(/#/g).length),
@@ -37,10 +38,11 @@ test("points on a polygon's edge are inside where both sides are", () => {
 });
 
 test("lines and cells of a lattice are in the core's order", () => {
-  const { nNodes, axial, lineStart, lineNodes, cells, nCells } = lattice({ columns: 3, rows: 2, inside: Uint8Array.from([1, 1, 1, 1, 1, 0]) });
+  const inside = Uint8Array.from([1, 1, 1, 1, 1, 0]);
+  const { nNodes, axial, lineStart, lineNodes, cells, nCells } = lattice({ columns: 3, rows: 2, inside });
   assert.equal(nNodes, 5);
   assert.equal(axial, 4);
-  const lines = Array.from({ length: lineStart.length - 1 }, (_, k) => [...lineNodes.subarray(lineStart[k], lineStart[k + 1])]);
+  const lines = [...lineStart].slice(1).map((end, k) => [...lineNodes.subarray(lineStart[k], end)]);
   assert.deepEqual(lines, [[0, 1, 2], [3, 4], [0, 3], [1, 4], [0, 4], [3, 1], [4, 2]]);
   assert.deepEqual([nCells, ...cells], [1, 0, 1, 3, 4]);
 });
@@ -90,7 +92,8 @@ test("the short form is a stroke and a turn the other way, and what is zero is l
 
 test("a plate without a smooth start begins where its sines and samples are", () => {
   const motion = {
-    ...cheese().motion, ramp: 0, offset: { x: 0.01 }, waves: [{ axis: "x", amplitude: 0.002, ratio: 1, phase: Math.PI / 2 }],
+    ...cheese().motion, ramp: 0, offset: { x: 0.01 },
+    waves: [{ axis: "x", amplitude: 0.002, ratio: 1, phase: Math.PI / 2 }],
     samples: { time: [0, 1], x: [0.1, 0] },
   };
   near(poseAtStart(motion)[0], 0.112, 1e-15);
@@ -164,7 +167,8 @@ test("a free strip swings as a beam, and twice as fast where it is four times as
   // ω = (4.73004/L)² √(k_b w/(M/L)), of a beam as long as its nodes stand for.
   const beam = (4.73004 / 0.6) ** 2 * Math.sqrt((sheet.bending_stiffness * 0.01 * 0.6) / sheet.mass);
   near(naturalFrequency(sheet) / beam, 1, 0.02);
-  near(naturalFrequency({ ...sheet, bending_stiffness: 4 * sheet.bending_stiffness }) / naturalFrequency(sheet), 2, 1e-12);
+  const stiffer = { ...sheet, bending_stiffness: 4 * sheet.bending_stiffness };
+  near(naturalFrequency(stiffer) / naturalFrequency(sheet), 2, 1e-12);
 });
 
 test("what no stiffness bends has no natural frequency, or none above 0", () => {
@@ -184,9 +188,11 @@ test("a wrong scenario is refused for its field, in one line that says what to t
     ["motion.samples.time", (s) => (s.motion.samples = { time: [0, 0] })],
     ["motion.samples.x", (s) => (s.motion.samples = { time: [0, 1], x: [0, NaN] })],
     ["friction.kinetic", (s) => (s.friction.kinetic = 0.9)], ["friction.law", (s) => (s.friction.law = "none")],
-    ["gravity", (s) => (s.gravity = "9.81")], ["transient", (s) => (s.transient = 1)], ["duration", (s) => (s.duration = 1e9)],
-    ["motion.frequency", (s) => Object.assign(s.motion, { frequency: 1e12 })], ["time_step", (s) => (s.time_step = 0.01)],
-    ["plate.width", (s) => (s.plate = { length: 0.1 })], ["start", (s) => (s.start = null)], ["motion", (s) => delete s.motion],
+    ["gravity", (s) => (s.gravity = "9.81")], ["transient", (s) => (s.transient = 1)],
+    ["duration", (s) => (s.duration = 1e9)],
+    ["motion.frequency", (s) => (s.motion.frequency = 1e12)], ["time_step", (s) => (s.time_step = 0.01)],
+    ["plate.width", (s) => (s.plate = { length: 0.1 })], ["start", (s) => (s.start = null)],
+    ["motion", (s) => delete s.motion],
   ];
   for (const [field, spoil] of spoilt) {
     const s = structuredClone(cheese());
@@ -200,5 +206,6 @@ test("a wrong scenario is refused for its field, in one line that says what to t
 test("a refusal is told in the unit that people read", () => {
   const s = cheese();
   s.sheet.mass = 13.6;
-  assert.throws(() => checkScenario(s), { message: "got 13600 g, must be a number above 0 g and at most 10000 g; try 13.6 g" });
+  const message = "got 13600 g, must be a number above 0 g and at most 10000 g; try 13.6 g";
+  assert.throws(() => checkScenario(s), { message });
 });

@@ -33,14 +33,20 @@ export class Answers {
   to(message, report = () => {}) {
     const id = message?.id;
     try {
-      if (!QUESTIONS.includes(message?.ask)) throw new Error(`nothing is known of "${String(message?.ask).slice(0, 20)}"; try "run"`);
+      if (!QUESTIONS.includes(message?.ask))
+        throw new Error(`nothing is known of "${String(message?.ask).slice(0, 20)}"; try "run"`);
       const { arrays = [], ...reply } = this[message.ask](message, report);
       return { reply: { id, ...reply }, transfer: [...new Set(arrays.map((array) => array.buffer))] };
     } catch (error) {
       const trapped = error instanceof WebAssembly.RuntimeError;
       if (trapped || error instanceof RangeError) this.#recover();
-      const said = trapped ? "the engine stopped: too large a sheet, or numbers beyond it" : String(error?.message ?? error);
-      return { reply: { id, refused: { field: error?.field ?? null, message: said, anew: Boolean(error?.anew) } }, transfer: [] };
+      const said = trapped
+        ? "the engine stopped: too large a sheet, or numbers beyond it"
+        : String(error?.message ?? error);
+      return {
+        reply: { id, refused: { field: error?.field ?? null, message: said, anew: Boolean(error?.anew) } },
+        transfer: [],
+      };
     }
   }
 
@@ -57,12 +63,21 @@ export class Answers {
   }
 
   observe({ scenarios, repeats = 1, seed = 0 }, report) {
-    if (!Number.isInteger(repeats) || repeats < 1 || repeats > MOST_RUNS) throw new Error(`repeats: a whole number from 1 to ${MOST_RUNS}; try 4`);
+    if (!Number.isInteger(repeats) || repeats < 1 || repeats > MOST_RUNS)
+      throw new Error(`repeats: a whole number from 1 to ${MOST_RUNS}; try 4`);
     const offsets = starts(repeats, seed);
     const many = listed(scenarios).flatMap((scenario) => offsets.map((offset) => ({ scenario, offset })));
-    const recordings = this.#whole(many.map(({ scenario }) => scenario), many.map(({ offset }) => offset), 0, report);
+    const recordings = this.#whole(
+      many.map(({ scenario }) => scenario),
+      many.map(({ offset }) => offset),
+      0,
+      report,
+    );
     const observations = recordings.map((recording, k) => observe(many[k].scenario, recording));
-    return { told: "observed", observations: scenarios.map((_, k) => observations.slice(k * repeats, (k + 1) * repeats)) };
+    return {
+      told: "observed",
+      observations: scenarios.map((_, k) => observations.slice(k * repeats, (k + 1) * repeats)),
+    };
   }
 
   /** Whole runs, in the order of the scenarios. */
@@ -78,7 +93,11 @@ export class Answers {
       group.sort((a, b) => stepsOf(scenarios[a]) - stepsOf(scenarios[b]) || a - b);
       for (let k = 0; k < group.length; k += this.engine.lanes) {
         const block = group.slice(k, k + this.engine.lanes);
-        const session = new Session(this.engine, block.map((i) => scenarios[i]), { offsets: block.map((i) => offsets[i]), snapshotInterval });
+        const session = new Session(
+          this.engine,
+          block.map((i) => scenarios[i]),
+          { offsets: block.map((i) => offsets[i]), snapshotInterval },
+        );
         const pieces = session.advance({ steps: block.map((i) => stepsOf(scenarios[i])) });
         block.forEach((i, j) => (recordings[i] = pieces[j]));
         done += block.length;
@@ -89,7 +108,8 @@ export class Answers {
   }
 
   open({ scenario, key }) {
-    if (!this.sessions.has(key) && this.sessions.size >= MOST_SESSIONS) throw new Error(`at most ${MOST_SESSIONS} sheets at once; close one first`);
+    if (!this.sessions.has(key) && this.sessions.size >= MOST_SESSIONS)
+      throw new Error(`at most ${MOST_SESSIONS} sheets at once; close one first`);
     this.sessions.set(key, new Session(this.engine, [scenario]));
     return { told: "opened" };
   }
@@ -109,7 +129,8 @@ export class Answers {
     const [began, from, shown, pieces] = [performance.now(), session.time(), [], []];
     const steps = Math.max(1, Math.round(seconds / timeStep(session.scenarios[0])));
     const count = Math.max(1, Math.min(Math.round(frames), MOST_FRAMES, steps));
-    if (!Number.isFinite(steps) || !Number.isFinite(count)) throw new Error("no finite time to go on for; try seconds: 0.1");
+    if (!Number.isFinite(steps) || !Number.isFinite(count))
+      throw new Error("no finite time to go on for; try seconds: 0.1");
     for (let k = 0; k < count && !session.diverged(); k++) {
       const own = Math.round((steps * (k + 1)) / count) - Math.round((steps * k) / count);
       pieces.push(...stepped(session, own, began));
@@ -123,7 +144,10 @@ export class Answers {
       if (performance.now() - began > LONGEST_ADVANCE) break;
     }
     const samples = pieces.length ? joined(pieces) : {};
-    const arrays = [...shown.flatMap(({ nodes, forces: felt }) => (felt ? [nodes, felt] : [nodes])), ...Object.values(samples)];
+    const arrays = [
+      ...shown.flatMap(({ nodes, forces: felt }) => (felt ? [nodes, felt] : [nodes])),
+      ...Object.values(samples),
+    ];
     const [gone, wall] = [session.time() - from, performance.now() - began];
     return { told: "frames", frames: shown, samples, diverged: session.diverged(), seconds: gone, wall, arrays };
   }
@@ -169,7 +193,12 @@ const checkRun = (s) => {
   const nodeSteps = stepsOf(s) * latticeOf(s.sheet).nNodes;
   if (nodeSteps <= MOST_NODE_STEPS) return;
   const most = Number(((s.duration * MOST_NODE_STEPS) / nodeSteps).toPrecision(2));
-  throw new Refusal("duration", `${s.duration} s`, `at most ${most} s of such a sheet in a page`, `${Math.min(4, most)} s`);
+  throw new Refusal(
+    "duration",
+    `${s.duration} s`,
+    `at most ${most} s of such a sheet in a page`,
+    `${Math.min(4, most)} s`,
+  );
 };
 
 /** Samples of some steps of a session, in calls short enough to look at the clock between them. */

@@ -15,18 +15,26 @@ export class LaidDownAnew extends Error {
 }
 
 const numbers = (values, count, most) =>
-  Array.isArray(values) && values.length === count && values.every((value) => typeof value === "number" && Math.abs(value) <= most);
+  Array.isArray(values) &&
+  values.length === count &&
+  values.every((value) => typeof value === "number" && Math.abs(value) <= most);
 
 /** x, y, angle added to a start. */
 export const checkOffset = (offset) => {
-  if (!numbers(offset, 3, FURTHEST)) throw new Error("an offset of a start is x and y in m, and an angle in rad; try [0, 0, 0]");
+  if (!numbers(offset, 3, FURTHEST))
+    throw new Error("an offset of a start is x and y in m, and an angle in rad; try [0, 0, 0]");
   return offset;
 };
 
 export const checkKick = ({ velocity = [0, 0, 0], spin = 0, at = null, radius = RADIUS }) => {
   const along = Array.isArray(velocity) && velocity.length === 2 ? [...velocity, 0] : velocity;
-  const fits = numbers(along, 3, FASTEST) && numbers([spin], 1, FASTEST) && (at === null || numbers(at, 2, FURTHEST))
-    && typeof radius === "number" && radius > 0 && radius <= FURTHEST;
+  const fits =
+    numbers(along, 3, FASTEST) &&
+    numbers([spin], 1, FASTEST) &&
+    (at === null || numbers(at, 2, FURTHEST)) &&
+    typeof radius === "number" &&
+    radius > 0 &&
+    radius <= FURTHEST;
   if (!fits) throw new Error(`a kick is a velocity of at most ${FASTEST} m/s along x, y, z; try [0.2, 0, 0]`);
   return { velocity: along, spin, at, radius };
 };
@@ -35,7 +43,12 @@ export const checkKick = ({ velocity = [0, 0, 0], spin = 0, at = null, radius = 
 export const checkSaved = (saved, session) => {
   const refusal = new Error("nothing that this sheet was saved as");
   const kept = saved?.state;
-  if (!kept || !["scenarios", "courses", "stride", "since", "wanted"].every((name) => saved[name]?.length === session.scenarios.length))
+  if (
+    !kept ||
+    !["scenarios", "courses", "stride", "since", "wanted"].every(
+      (name) => saved[name]?.length === session.scenarios.length,
+    )
+  )
     throw refusal;
   for (const [name, array] of Object.entries(session.state)) {
     if (kept[name]?.constructor !== array.constructor) throw refusal;

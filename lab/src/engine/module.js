@@ -52,7 +52,8 @@ export class Engine {
     const { core } = this;
     const taken = [];
     const allocate = (bytes) => {
-      if (core.memory.buffer.byteLength + bytes > MOST_BYTES) throw new Error("more memory than a page may take: fewer nodes, or less at once");
+      if (core.memory.buffer.byteLength + bytes > MOST_BYTES)
+        throw new Error("more memory than a page may take: fewer nodes, or less at once");
       const at = core.plategait_allocate(Math.max(bytes, 16));
       if (!at) throw new Error("there is no memory for it: fewer nodes, or less at once");
       taken.push(at);
@@ -62,7 +63,10 @@ export class Engine {
       const address = {};
       for (const [name, array] of Object.entries(arrays)) {
         address[name] = allocate(array.bytes ?? array.byteLength);
-        if (array.buffer) new Uint8Array(core.memory.buffer, address[name], array.byteLength).set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength));
+        if (array.buffer)
+          new Uint8Array(core.memory.buffer, address[name], array.byteLength).set(
+            new Uint8Array(array.buffer, array.byteOffset, array.byteLength),
+          );
       }
       const table = allocate(4 * this.names.words.length);
       const words = new Int32Array(core.memory.buffer, table, this.names.words.length);
@@ -74,4 +78,3 @@ export class Engine {
     }
   }
 }
-

@@ -117,10 +117,13 @@ export class Pool {
 
   #begin(job, worker) {
     job.worker = worker;
-    worker.doing = worker.ask(job.message, job.onProgress).then(job.resolve, job.reject).finally(() => {
-      job.forget();
-      this.#next();
-    });
+    worker.doing = worker
+      .ask(job.message, job.onProgress)
+      .then(job.resolve, job.reject)
+      .finally(() => {
+        job.forget();
+        this.#next();
+      });
   }
 
   close() {

@@ -31,7 +31,8 @@ export class Session {
     this.engine = engine;
     this.scenarios = [...scenarios];
     this.lattice = latticeOf(scenarios[0].sheet);
-    if (scenarios.some(({ sheet }) => latticeOf(sheet) !== this.lattice)) throw new Error("sheets of one lattice go side by side");
+    if (scenarios.some(({ sheet }) => latticeOf(sheet) !== this.lattice))
+      throw new Error("sheets of one lattice go side by side");
     this.courses = scenarios.map(({ motion }) => courseOf(motion));
     this.stride = scenarios.map((s) => strideOf(s));
     this.thinning = scenarios.map((s) => thinningOf(s, snapshotInterval));
@@ -49,9 +50,13 @@ export class Session {
     const x = new Float64Array(n * per);
     scenarios.forEach((s, j) => x.set(startPositions(s, offsets[j] && checkOffset(offsets[j])), j * per));
     return {
-      x, v: new Float64Array(n * per), edge: new Float64Array(this.#ends() ? n * per : 0),
-      tally: new Float64Array(n * engine.tallies), clock: new BigInt64Array(n * engine.clocks),
-      last: new Float32Array(n * engine.names.channels.length).fill(NaN), diverged: scenarios.map(() => false),
+      x,
+      v: new Float64Array(n * per),
+      edge: new Float64Array(this.#ends() ? n * per : 0),
+      tally: new Float64Array(n * engine.tallies),
+      clock: new BigInt64Array(n * engine.clocks),
+      last: new Float32Array(n * engine.names.channels.length).fill(NaN),
+      diverged: scenarios.map(() => false),
     };
   }
 
@@ -84,7 +89,8 @@ export class Session {
     const { engine, scenarios, state } = this;
     const wanted = scenarios.map((s, j) => (steps ? this.time(j) + steps[j] * timeStep(s) : this.wanted[j] + seconds));
     const todo = scenarios.map((s, j) =>
-      (state.diverged[j] ? 0 : Math.max(0, steps?.[j] ?? roundHalfEven(wanted[j] / timeStep(s)) - this.#clock(j, TAKEN))));
+      state.diverged[j] ? 0 : Math.max(0, steps?.[j] ?? roundHalfEven(wanted[j] / timeStep(s)) - this.#clock(j, TAKEN)),
+    );
     if (!allFinite(todo)) throw new Error("no finite time to go on for");
     const [n, channels, per] = [scenarios.length, engine.names.channels.length, 3 * this.lattice.nNodes];
     const first = scenarios.map((_, j) => this.#clock(j, SAMPLED));
@@ -97,20 +103,29 @@ export class Session {
     const before = scenarios.map((_, j) => this.#clock(j, TAKEN));
     const { samples, snapshots, ...next } = engine.with(
       { ...told.counts, max_samples: maxSamples, max_snapshots: maxSnapshots },
-      { ...told.arrays, samples: { bytes: 4 * n * maxSamples * channels }, snapshots: { bytes: 4 * n * maxSnapshots * per } },
+      {
+        ...told.arrays,
+        samples: { bytes: 4 * n * maxSamples * channels },
+        snapshots: { bytes: 4 * n * maxSnapshots * per },
+      },
       (table) => engine.core.plategait_advance(table),
       (view) => ({
-        x: view(Float64Array, "x", n * per), v: view(Float64Array, "v", n * per), edge: view(Float64Array, "edge", state.edge.length),
-        tally: view(Float64Array, "tally", n * engine.tallies), clock: view(BigInt64Array, "clock", n * engine.clocks),
-        last: view(Float32Array, "last", n * channels), samples: view(Float32Array, "samples", n * maxSamples * channels),
+        x: view(Float64Array, "x", n * per),
+        v: view(Float64Array, "v", n * per),
+        edge: view(Float64Array, "edge", state.edge.length),
+        tally: view(Float64Array, "tally", n * engine.tallies),
+        clock: view(BigInt64Array, "clock", n * engine.clocks),
+        last: view(Float32Array, "last", n * channels),
+        samples: view(Float32Array, "samples", n * maxSamples * channels),
         snapshots: view(Float32Array, "snapshots", n * maxSnapshots * per),
       }),
     );
     this.state = { ...next, diverged: state.diverged };
     this.wanted = wanted;
     const taken = before.map((from, j) => this.#clock(j, TAKEN) - from);
-    this.state.diverged = scenarios.map((_, j) =>
-      state.diverged[j] || taken[j] < todo[j] || !allFinite(next.x.subarray(j * per, (j + 1) * per)));
+    this.state.diverged = scenarios.map(
+      (_, j) => state.diverged[j] || taken[j] < todo[j] || !allFinite(next.x.subarray(j * per, (j + 1) * per)),
+    );
     return scenarios.map((_, j) => {
       const from = j * maxSamples * channels;
       const written = Math.min(this.#clock(j, SAMPLED) - first[j], maxSamples);
@@ -128,8 +143,11 @@ export class Session {
     channels.time = Float64Array.from(channels.time, (_, k) => time + (first + k - sample) * interval);
     const pictured = this.#pictures(run, first, channels.time.length);
     return {
-      channels, steps, diverged: this.state.diverged[run] || !allFinite(samples),
-      snapshots: snapshots.slice(0, pictured * 3 * this.lattice.nNodes), ...shapesOf(channels, first, this.thinning[run], pictured),
+      channels,
+      steps,
+      diverged: this.state.diverged[run] || !allFinite(samples),
+      snapshots: snapshots.slice(0, pictured * 3 * this.lattice.nNodes),
+      ...shapesOf(channels, first, this.thinning[run], pictured),
     };
   }
 
@@ -160,16 +178,38 @@ export class Session {
     const whole = (values) => BigInt64Array.from(values, BigInt);
     return {
       counts: {
-        n_nodes: lattice.nNodes, n_lines: lattice.lineStart.length - 1, n_axial_lines: lattice.axial, n_cells: lattice.nCells,
-        n_runs: scenarios.length, n_layers: packed.nLayers, n_terms: packed.termDof.length,
-        has_torsion: torsion, has_smooth_friction: smooth, has_plate_edge: edge, has_contact_ramp: ramp,
+        n_nodes: lattice.nNodes,
+        n_lines: lattice.lineStart.length - 1,
+        n_axial_lines: lattice.axial,
+        n_cells: lattice.nCells,
+        n_runs: scenarios.length,
+        n_layers: packed.nLayers,
+        n_terms: packed.termDof.length,
+        has_torsion: torsion,
+        has_smooth_friction: smooth,
+        has_plate_edge: edge,
+        has_contact_ramp: ramp,
       },
       arrays: {
-        line_start: lattice.lineStart, line_nodes: lattice.lineNodes, cells: lattice.cells, rest: lattice.rest,
-        mobility: new Float64Array(lattice.nNodes).fill(1), parameters: packParameters(this.engine.names.parameters, scenarios),
-        layer_terms: packed.layerTerms, term_dof: packed.termDof, terms: packed.terms, layers: packed.layers,
-        steps: whole(steps), stride: whole(this.stride), thinning: whole(this.thinning),
-        x: state.x, v: state.v, edge: state.edge, tally: state.tally, clock: state.clock, last: state.last,
+        line_start: lattice.lineStart,
+        line_nodes: lattice.lineNodes,
+        cells: lattice.cells,
+        rest: lattice.rest,
+        mobility: new Float64Array(lattice.nNodes).fill(1),
+        parameters: packParameters(this.engine.names.parameters, scenarios),
+        layer_terms: packed.layerTerms,
+        term_dof: packed.termDof,
+        terms: packed.terms,
+        layers: packed.layers,
+        steps: whole(steps),
+        stride: whole(this.stride),
+        thinning: whole(this.thinning),
+        x: state.x,
+        v: state.v,
+        edge: state.edge,
+        tally: state.tally,
+        clock: state.clock,
+        last: state.last,
         ...(packed.knots.length ? { knots: packed.knots, first_knot: packed.firstKnot, n_knots: packed.nKnots } : {}),
       },
     };
@@ -189,11 +229,13 @@ export class Session {
     const step = timeStep(this.scenarios[run]);
     checkScenario({ ...scenario, time_step: null });
     if (!areCutAlike(scenario.sheet, this.scenarios[run].sheet)) throw new LaidDownAnew("a sheet of another lattice");
-    if (scenario.motion.height !== this.scenarios[run].motion.height) throw new LaidDownAnew("a plate about another axis");
+    if (scenario.motion.height !== this.scenarios[run].motion.height)
+      throw new LaidDownAnew("a plate about another axis");
     const usual = timeStep({ ...scenario, time_step: null });
     if (usual < step * (1 - 1e-9)) throw new LaidDownAnew("what needs a shorter time step");
     const ended = this.#ends();
-    if (JSON.stringify(scenario.motion) !== JSON.stringify(this.scenarios[run].motion)) this.#goOver(run, scenario.motion, ramp);
+    if (JSON.stringify(scenario.motion) !== JSON.stringify(this.scenarios[run].motion))
+      this.#goOver(run, scenario.motion, ramp);
     this.scenarios[run] = { ...scenario, time_step: step };
     if (this.#ends() && !ended) this.state.edge = this.state.x.map((_, k) => (k % 3 === 2 ? ON_THE_PLATE : 0));
     if (!this.#ends()) this.state.edge = new Float64Array(0);
@@ -213,8 +255,8 @@ export class Session {
   /**
    * Add to the velocities of a run's nodes.
    *
-   * @param {{velocity?: number[], spin?: number, at?: number[], radius?: number}} kick m/s along x, y, z; rad/s about the
-   *   sheet's middle; where it is felt most and how far from there, m: everywhere alike where that is left out
+   * @param {{velocity?: number[], spin?: number, at?: number[], radius?: number}} kick m/s along x, y, z; rad/s about
+   *   the sheet's middle; where it is felt most and how far from there, m: everywhere alike where that is left out
    */
   push(run, kick) {
     const { velocity, spin, at, radius } = checkKick(kick);
@@ -253,8 +295,8 @@ export class Session {
   /**
    * What each node of the first run gets from the plate now, and the plate from them.
    *
-   * @returns {{nodes: Float32Array, plate: Float32Array}} [node][normal, along x, along y], N; force, N, and torque about
-   *   the middle of the surface, N m, both in the plate's frame
+   * @returns {{nodes: Float32Array, plate: Float32Array}} [node][normal, along x, along y], N; force, N, and torque
+   *   about the middle of the surface, N m, both in the plate's frame
    */
   forces() {
     const n = this.lattice.nNodes;
@@ -263,7 +305,10 @@ export class Session {
       told.counts,
       { ...told.arrays, forces: { bytes: 4 * NODE_NUMBERS * n }, plate: { bytes: 4 * PLATE_NUMBERS } },
       (table, address) => this.engine.core.plategait_show(table, address.forces, address.plate),
-      (view) => ({ nodes: view(Float32Array, "forces", NODE_NUMBERS * n), plate: view(Float32Array, "plate", PLATE_NUMBERS) }),
+      (view) => ({
+        nodes: view(Float32Array, "forces", NODE_NUMBERS * n),
+        plate: view(Float32Array, "plate", PLATE_NUMBERS),
+      }),
     );
   }
 

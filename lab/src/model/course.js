@@ -6,14 +6,14 @@ import { SHORTEST_RAMP } from "./motion.js";
 const OVER = 1 + 1e-5;
 
 /**
- * @typedef {{motion: object, begin: number, duration: number, tableBegin: number}} Layer since when the plate goes over to
- *   a motion and how long that takes, and when its sampled trajectory begins, s
+ * @typedef {{motion: object, begin: number, duration: number, tableBegin: number}} Layer since when the plate goes over
+ *   to a motion and how long that takes, and when its sampled trajectory begins, s
  */
 
 /** Course of a plate that is given one motion at the start. @returns {Layer[]} */
 export const courseOf = (motion) => [{ motion, begin: 0, duration: motion.ramp, tableBegin: 0 }];
 
-/** Course without the layers that no longer matter; the first that is left also tells where the plate stood before it. */
+/** Course without the layers that no longer matter; the first left also tells where the plate stood before it. */
 export const stillNeeded = (course, time) => {
   for (let i = course.length - 1; i > 0; i--) {
     const { begin, duration } = course[i];

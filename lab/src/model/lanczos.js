@@ -13,9 +13,11 @@ export class BandedMatrix {
     this.half = elements.reduce((most, { nodes }) => Math.max(most, Math.max(...nodes) - Math.min(...nodes)), 0);
     this.rows = new Float64Array(n * (this.half + 1));
     for (const { nodes, weights, factor } of elements)
-      nodes.forEach((a, p) => nodes.forEach((b, q) => {
-        if (b <= a) this.rows[this.#at(a, b)] += factor * weights[p] * weights[q];
-      }));
+      nodes.forEach((a, p) =>
+        nodes.forEach((b, q) => {
+          if (b <= a) this.rows[this.#at(a, b)] += factor * weights[p] * weights[q];
+        }),
+      );
     /** No less than the largest eigenvalue. */
     this.largest = this.#bound();
   }
@@ -34,7 +36,8 @@ export class BandedMatrix {
   }
 
   #each(visit) {
-    for (let i = 0; i < this.n; i++) for (let j = Math.max(0, i - this.half); j <= i; j++) visit(i, j, this.rows[this.#at(i, j)]);
+    for (let i = 0; i < this.n; i++)
+      for (let j = Math.max(0, i - this.half); j <= i; j++) visit(i, j, this.rows[this.#at(i, j)]);
   }
 
   /** Rayleigh's quotient of a unit vector. */
@@ -44,7 +47,7 @@ export class BandedMatrix {
     return sum;
   }
 
-  /** Solver of the matrix with a shift along its diagonal, by Cholesky's factors. @param {number} about an eigenvalue */
+  /** Solver of the matrix with a shift along its diagonal. @param {number} about an eigenvalue */
   inverse(about) {
     const shift = about > 1e-12 * this.largest ? about : 1e-6 * this.largest || 1;
     const { n, half } = this;
@@ -81,8 +84,8 @@ export class BandedMatrix {
 }
 
 /**
- * Modes that hold some of a unit vector: eigenvalue, share of the vector, and unit direction of what they hold; the lowest
- * are right to rounding.
+ * Modes that hold some of a unit vector: eigenvalue, share of the vector, and unit direction of what they hold; the
+ * lowest are right to rounding.
  *
  * @param {ReturnType<BandedMatrix["inverse"]>} inverse
  * @param {Float64Array} start
@@ -100,13 +103,15 @@ export const heldModes = ({ solve, shift }, start, along) => {
     basis.push(fresh.unit);
   }
   const { values, vectors } = tridiagonalModes(diagonal, beside);
-  return values.map((value, k) => {
-    const direction = new Float64Array(start.length);
-    vectors[k].forEach((weight, j) => add(direction, basis[j], weight));
-    // So turned that it lies along the vector that it holds some of.
-    const share = vectors[k][0];
-    return { squared: 1 / value - shift, share: Math.abs(share), direction: scaled(direction, share < 0 ? -1 : 1) };
-  }).sort((a, b) => a.squared - b.squared);
+  return values
+    .map((value, k) => {
+      const direction = new Float64Array(start.length);
+      vectors[k].forEach((weight, j) => add(direction, basis[j], weight));
+      // So turned that it lies along the vector that it holds some of.
+      const share = vectors[k][0];
+      return { squared: 1 / value - shift, share: Math.abs(share), direction: scaled(direction, share < 0 ? -1 : 1) };
+    })
+    .sort((a, b) => a.squared - b.squared);
 };
 
 /** Eigenvalues and vectors of a small symmetric tridiagonal matrix: QL steps with Wilkinson's shift. */

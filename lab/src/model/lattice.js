@@ -1,13 +1,19 @@
-// The lattice: mass nodes on a square grid, cut to an outline, and how they are joined. As the package's model/lattice.py.
+// The lattice: mass nodes on a square grid, cut to an outline, and how they are joined. As model/lattice.py.
 
-const AXIAL = [[1, 0], [0, 1]];
-const DIAGONAL = [[1, 1], [1, -1]];
+const AXIAL = [
+  [1, 0],
+  [0, 1],
+];
+const DIAGONAL = [
+  [1, 1],
+  [1, -1],
+];
 
 /**
  * @typedef {{nNodes: number, rest: Float64Array, axial: number, lineStart: Int32Array, lineNodes: Int32Array,
- *   cells: Int32Array, nCells: number, columns: number, rows: number, squares: Int32Array}} Lattice `squares` are [node]
- *   [column, row]; `rest` is [node][x, y] about the centroid
- *   in pitches; lines are chains of neighbours, the first `axial` of them along the grid; cells list corners 00 10 01 11
+ *   cells: Int32Array, nCells: number, columns: number, rows: number, squares: Int32Array}} Lattice `squares` are
+ *   [node][column, row]; `rest` is [node][x, y] about the centroid in pitches; lines are chains of neighbours, the first
+ *   `axial` of them along the grid; cells list corners 00 10 01 11
  */
 
 /** @param {{columns: number, rows: number, inside: Uint8Array}} squares @returns {Lattice} */
@@ -46,8 +52,16 @@ export function lattice({ columns, rows, inside }) {
       if (corners.every((node) => node >= 0)) cells.push(...corners);
     }
   return {
-    nNodes: squares.length, rest: restOf(squares), axial: axial.length, lineStart, lineNodes: Int32Array.from(lines.flat()),
-    cells: Int32Array.from(cells), nCells: cells.length / 4, columns, rows, squares: Int32Array.from(squares.flat()),
+    nNodes: squares.length,
+    rest: restOf(squares),
+    axial: axial.length,
+    lineStart,
+    lineNodes: Int32Array.from(lines.flat()),
+    cells: Int32Array.from(cells),
+    nCells: cells.length / 4,
+    columns,
+    rows,
+    squares: Int32Array.from(squares.flat()),
   };
 }
 

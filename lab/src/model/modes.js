@@ -1,7 +1,7 @@
 // The natural frequency of a sheet: of the mode that the package's model/modes.py takes, with no plate and no gravity.
 //
-// A shape such as x² + y² is made of modes; Lanczos' method on the inverse of the stiffness, begun from that shape, finds
-// how much of it each mode holds, the lowest modes first. So few steps do what a whole decomposition does in the package.
+// A shape such as x² + y² is made of modes; Lanczos' method on the inverse of the stiffness, begun from that shape,
+// finds how much of it each mode holds, the lowest first. So few steps do what a whole decomposition does there.
 import { BandedMatrix, heldModes } from "./lanczos.js";
 import { latticeOf, nodeMass } from "./sheet.js";
 import { add, dot, scaled, without } from "./vectors.js";
@@ -24,7 +24,7 @@ export const naturalFrequency = (sheet) => {
   // In units of the stiffer joint over m l², what remains is the lattice's and the ratio's own.
   const unit = Math.max(bending, torsion);
   const ratios = unit > 0 ? [bending / unit, torsion / unit] : [0, 0];
-  return unitFrequency(lattice, ratios) * Math.sqrt(unit / nodeMass(sheet)) / sheet.pitch;
+  return (unitFrequency(lattice, ratios) * Math.sqrt(unit / nodeMass(sheet))) / sheet.pitch;
 };
 
 const unitFrequency = (lattice, ratios) => {
@@ -36,7 +36,7 @@ const unitFrequency = (lattice, ratios) => {
   return found.get(key);
 };
 
-/** ω² of the dish, or where no mode is one of the lowest that bends the sheet and is no twist; NaN where none does. */
+/** ω² of the dish, or where no mode is one of the lowest that bends the sheet; NaN where none does. */
 const naturalSquared = (lattice, [bending, torsion]) => {
   const matrix = stiffness(lattice, bending, torsion);
   const rigid = rigidMotion(lattice);
@@ -50,13 +50,21 @@ const stiffness = ({ nNodes, lineStart, lineNodes, axial, cells }, bending, tors
   const elements = [];
   for (let i = 0; i < axial; i++)
     for (let k = lineStart[i]; k + 2 < lineStart[i + 1]; k++)
-      elements.push({ nodes: [lineNodes[k], lineNodes[k + 1], lineNodes[k + 2]], weights: [1, -2, 1], factor: bending });
+      elements.push({
+        nodes: [lineNodes[k], lineNodes[k + 1], lineNodes[k + 2]],
+        weights: [1, -2, 1],
+        factor: bending,
+      });
   for (let c = 0; c < cells.length; c += 4)
     elements.push({ nodes: [...cells.subarray(c, c + 4)], weights: [1, -1, -1, 1], factor: 2 * torsion });
-  return new BandedMatrix(nNodes, elements.filter(({ factor }) => factor > 0));
+  return new BandedMatrix(
+    nNodes,
+    elements.filter(({ factor }) => factor > 0),
+  );
 };
 
-const columnsOf = ({ nNodes, rest }) => [0, 1].map((axis) => Float64Array.from({ length: nNodes }, (_, k) => rest[2 * k + axis]));
+const columnsOf = ({ nNodes, rest }) =>
+  [0, 1].map((axis) => Float64Array.from({ length: nNodes }, (_, k) => rest[2 * k + axis]));
 
 /** Heave, roll and pitch, orthonormal. */
 const rigidMotion = (lattice) => {
@@ -71,8 +79,8 @@ const rigidMotion = (lattice) => {
 /**
  * The modes that are x² + y², x² − y² and xy, as far as the sheet has such: ω² and direction.
  *
- * A shape belongs to the lowest mode that holds most of it, or else to the one that holds the largest share, unless that
- * direction has a name already: the surest name goes first.
+ * A shape belongs to the lowest mode that holds most of it, or else to the one that holds the largest share, unless
+ * that direction has a name already: the surest name goes first.
  */
 const namedModes = (matrix, rigid, lattice) => {
   const [x, y] = columnsOf(lattice);
@@ -105,7 +113,8 @@ const spacesOf = (modes, rounding) => {
   const spaces = [];
   for (const { squared, share, direction } of modes) {
     const last = spaces.at(-1);
-    if (!last || squared - last.upTo > rounding) spaces.push({ squared, upTo: squared, held: scaled(direction, share) });
+    if (!last || squared - last.upTo > rounding)
+      spaces.push({ squared, upTo: squared, held: scaled(direction, share) });
     else {
       last.upTo = squared;
       add(last.held, direction, share);
@@ -119,7 +128,10 @@ const spacesOf = (modes, rounding) => {
 
 /** Least ω² above 0 of what is not along some directions: begun from a shape that no symmetry keeps from anything. */
 const lowestSquared = (matrix, along) => {
-  const { unit, size } = without(Float64Array.from({ length: matrix.n }, (_, k) => Math.sin(1.3 * k * k + 0.7)), along);
+  const { unit, size } = without(
+    Float64Array.from({ length: matrix.n }, (_, k) => Math.sin(1.3 * k * k + 0.7)),
+    along,
+  );
   let squared = 1e-6 * matrix.largest;
   // What is found first tells where to look more closely.
   for (let pass = 0; pass < 2 && size > FLAT; pass++) {

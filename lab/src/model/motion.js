@@ -1,7 +1,16 @@
 // How the plate moves: sines on each degree of freedom, or a sampled trajectory, with a smooth start. As the package's
 // model/motion.py.
 import {
-  ANGLE, DELAY, FREQUENCY, OFFSET, PLATE_ANGLE, PLATE_STROKE, RATIO, STROKE, checkNumber, checkNumbers,
+  ANGLE,
+  DELAY,
+  FREQUENCY,
+  OFFSET,
+  PLATE_ANGLE,
+  PLATE_STROKE,
+  RATIO,
+  STROKE,
+  checkNumber,
+  checkNumbers,
 } from "./quantity.js";
 import { Refusal, checkTable, told } from "./refusal.js";
 import { roundHalfEven } from "./rounding.js";
@@ -19,11 +28,17 @@ const TIMES = "[0, 0.01, 0.02]";
 const turns = (axis) => axis.startsWith("r");
 
 /** Sines as [degree of freedom, amplitude, frequency in Hz, phase in turns]. */
-export const termsOf = ({ stroke, angle, frequency, waves }) => [
-  [0, stroke, frequency, 0],
-  [3, -angle, frequency, 0],
-  ...waves.map((wave) => [AXES.indexOf(wave.axis), wave.amplitude, wave.ratio * frequency, wave.phase / (2 * Math.PI)]),
-].filter(([, amplitude]) => amplitude !== 0);
+export const termsOf = ({ stroke, angle, frequency, waves }) =>
+  [
+    [0, stroke, frequency, 0],
+    [3, -angle, frequency, 0],
+    ...waves.map((wave) => [
+      AXES.indexOf(wave.axis),
+      wave.amplitude,
+      wave.ratio * frequency,
+      wave.phase / (2 * Math.PI),
+    ]),
+  ].filter(([, amplitude]) => amplitude !== 0);
 
 /** Where the plate is held off its rest, on each axis, m and rad. */
 export const offsetOf = (motion) => AXES.map((axis) => motion.offset?.[axis] ?? 0);
@@ -69,9 +84,15 @@ export const rotationOf = (pose) => {
   const [cx, cy, cz] = [Math.cos(pose[3]), Math.cos(pose[4]), Math.cos(pose[5])];
   const [sx, sy, sz] = [Math.sin(pose[3]), Math.sin(pose[4]), Math.sin(pose[5])];
   return [
-    cy * cz, -cy * sz, sy,
-    cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy,
-    sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy,
+    cy * cz,
+    -cy * sz,
+    sy,
+    cx * sz + sx * sy * cz,
+    cx * cz - sx * sy * sz,
+    -sx * cy,
+    sx * sz - cx * sy * cz,
+    sx * cz + cx * sy * sz,
+    cx * cy,
   ];
 };
 
@@ -92,7 +113,8 @@ export const checkMotion = (motion) => {
   for (const [axis, value] of Object.entries(motion.offset ?? {}))
     if (AXES.includes(axis)) checkNumber(value, `motion.offset.${axis}`, turns(axis) ? PLATE_ANGLE : OFFSET);
   checkWaves(motion.waves);
-  if (motion.samples !== null && motion.samples !== undefined) checkSamples(checkTable(motion.samples, "motion.samples"));
+  if (motion.samples !== null && motion.samples !== undefined)
+    checkSamples(checkTable(motion.samples, "motion.samples"));
 };
 
 const checkWaves = (waves) => {
@@ -102,7 +124,8 @@ const checkWaves = (waves) => {
   waves.forEach((wave, i) => {
     const field = `motion.waves.${i}`;
     checkTable(wave, field);
-    if (!AXES.includes(wave.axis)) throw new Refusal(`${field}.axis`, told(wave.axis), `one of ${AXES.join(", ")}`, '"z"');
+    if (!AXES.includes(wave.axis))
+      throw new Refusal(`${field}.axis`, told(wave.axis), `one of ${AXES.join(", ")}`, '"z"');
     checkNumbers(wave, field, { amplitude: turns(wave.axis) ? ANGLE : STROKE, ratio: RATIO, phase: ANGLE });
   });
 };
@@ -112,15 +135,23 @@ const checkSamples = (samples) => {
   const field = "motion.samples.time";
   if (!Array.isArray(time) || time.length < 2 || time.length > MOST_SAMPLES)
     throw new Refusal(field, told(time), `2 to ${MOST_SAMPLES} finite times that rise from 0 s`, TIMES);
-  const rises = time[0] === 0 && time.every((t, k) => Number.isFinite(t) && (k === 0 || t - time[k - 1] >= SHORTEST_SAMPLE));
-  if (!rises) throw new Refusal(field, told(time), `finite times that rise from 0 s by at least ${SHORTEST_SAMPLE} s`, TIMES);
+  const rises =
+    time[0] === 0 && time.every((t, k) => Number.isFinite(t) && (k === 0 || t - time[k - 1] >= SHORTEST_SAMPLE));
+  if (!rises)
+    throw new Refusal(field, told(time), `finite times that rise from 0 s by at least ${SHORTEST_SAMPLE} s`, TIMES);
   for (const axis of AXES) {
     const values = samples[axis];
     if (values === undefined || values === null || values.length === 0) continue;
-    const fits = Array.isArray(values) && values.length === time.length
-      && values.every((value) => typeof value === "number" && Math.abs(value) <= LARGEST_SAMPLE);
+    const fits =
+      Array.isArray(values) &&
+      values.length === time.length &&
+      values.every((value) => typeof value === "number" && Math.abs(value) <= LARGEST_SAMPLE);
     if (!fits)
-      throw new Refusal(`motion.samples.${axis}`, told(values),
-        `${time.length} values, one for each time, of at most ${LARGEST_SAMPLE} in size`, TIMES);
+      throw new Refusal(
+        `motion.samples.${axis}`,
+        told(values),
+        `${time.length} values, one for each time, of at most ${LARGEST_SAMPLE} in size`,
+        TIMES,
+      );
   }
 };

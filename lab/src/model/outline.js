@@ -51,9 +51,15 @@ function checkCorners({ corners }) {
   const field = `${FIELD}.corners`;
   if (!Array.isArray(corners)) throw new Refusal(field, told(corners), "a list", TRIANGLE);
   if (corners.length > MOST_CORNERS)
-    throw new Refusal(field, `${corners.length} corners`, `at most ${MOST_CORNERS}`, "leaving out some that are near to others");
+    throw new Refusal(
+      field,
+      `${corners.length} corners`,
+      `at most ${MOST_CORNERS}`,
+      "leaving out some that are near to others",
+    );
   corners.forEach((corner, i) => {
-    if (!Array.isArray(corner) || corner.length !== 2) throw new Refusal(`${field}.${i}`, told(corner), "x and y", TRIANGLE);
+    if (!Array.isArray(corner) || corner.length !== 2)
+      throw new Refusal(`${field}.${i}`, told(corner), "x and y", TRIANGLE);
     corner.forEach((value, k) => checkNumber(value, `${field}.${i}.${k}`, OFFSET));
   });
   if (corners.length < 3 || !spanAnArea(corners)) {
@@ -77,7 +83,9 @@ function spanAnArea(corners) {
   const once = other.map((each, i) => each - part * unit[i]);
   const rest = dot(once, unit);
   const off = Math.hypot(...once.map((each, i) => each - rest * unit[i]));
-  const larger = Math.sqrt((size ** 2 + part ** 2 + off ** 2 + Math.sqrt((size ** 2 + part ** 2 + off ** 2) ** 2 - 4 * (size * off) ** 2)) / 2);
+  const larger = Math.sqrt(
+    (size ** 2 + part ** 2 + off ** 2 + Math.sqrt((size ** 2 + part ** 2 + off ** 2) ** 2 - 4 * (size * off) ** 2)) / 2,
+  );
   return (size * off) / larger > EDGE * most;
 }
 
@@ -105,7 +113,10 @@ function insidePolygon(outline) {
   });
   const corners = outline.corners.map(([x, y]) => [x - middle[0], y - middle[1]]);
   const hair = EDGE * Math.max(...polygonSize(outline));
-  const around = Array.from({ length: 8 }, (_, k) => ((k + 0.5) * Math.PI) / 4).map((d) => [hair * Math.cos(d), hair * Math.sin(d)]);
+  const around = Array.from({ length: 8 }, (_, k) => ((k + 0.5) * Math.PI) / 4).map((d) => [
+    hair * Math.cos(d),
+    hair * Math.sin(d),
+  ]);
   const odd = (x, y) => {
     let inside = false;
     for (let k = 0; k < corners.length; k++) {
@@ -122,11 +133,21 @@ function checkRows(o) {
   checkNumbers(o, FIELD, { width_of_picture: LENGTH });
   const field = `${FIELD}.rows`;
   const { rows } = o;
-  if (!Array.isArray(rows) || !rows.length || rows.some((row) => typeof row !== "string" || row.length !== rows[0].length))
+  if (
+    !Array.isArray(rows) ||
+    !rows.length ||
+    rows.some((row) => typeof row !== "string" || row.length !== rows[0].length)
+  )
     throw new Refusal(field, told(rows), "rows of equal length", ROWS);
   if (rows.length * rows[0].length > MOST_PIXELS)
-    throw new Refusal(field, `${rows[0].length} × ${rows.length} pixels`, `at most ${MOST_PIXELS} of them`, "a smaller copy");
-  if (!rows.some((row) => row.includes("#"))) throw new Refusal(field, "nothing dark in the picture", "a dark object on a light ground", ROWS);
+    throw new Refusal(
+      field,
+      `${rows[0].length} × ${rows.length} pixels`,
+      `at most ${MOST_PIXELS} of them`,
+      "a smaller copy",
+    );
+  if (!rows.some((row) => row.includes("#")))
+    throw new Refusal(field, "nothing dark in the picture", "a dark object on a light ground", ROWS);
 }
 
 /** Rows and columns of a picture that hold its sheet: [first row, last row, first column, last column]. */
@@ -165,7 +186,12 @@ export function occupiedSquares(outline, pitch) {
   const [columns, rows] = size.map((extent) => Math.max(1, roundHalfEven(Math.min(extent / pitch, 1e9))));
   const wide = shown(pitch, LENGTH);
   if (columns * rows > MOST_SQUARES)
-    throw new Refusal("sheet.pitch", wide, `coarse enough for at most ${MOST_SQUARES} squares`, shown(Math.max(...size) / 100, LENGTH));
+    throw new Refusal(
+      "sheet.pitch",
+      wide,
+      `coarse enough for at most ${MOST_SQUARES} squares`,
+      shown(Math.max(...size) / 100, LENGTH),
+    );
   const contains = kind.contains(outline);
   const inside = new Uint8Array(columns * rows);
   // A hair inwards, so that a middle on the very edge falls the same way on every side.
@@ -177,8 +203,12 @@ export function occupiedSquares(outline, pitch) {
     throw new Refusal("sheet.pitch", wide, "fine enough for at least one grid square inside the outline", finer);
   const pieces = countPieces(inside, columns, rows);
   if (pieces > 1)
-    throw new Refusal(FIELD, `${pieces} separate pieces at a pitch of ${wide}`, "one connected piece",
-      `a mask without gaps, or a finer pitch such as ${finer}`);
+    throw new Refusal(
+      FIELD,
+      `${pieces} separate pieces at a pitch of ${wide}`,
+      "one connected piece",
+      `a mask without gaps, or a finer pitch such as ${finer}`,
+    );
   return { columns, rows, inside };
 }
 
@@ -193,7 +223,12 @@ function countPieces(inside, columns, rows) {
     while (front.length) {
       const at = front.pop();
       const [i, j] = [Math.floor(at / rows), at % rows];
-      for (const [a, b] of [[i - 1, j], [i + 1, j], [i, j - 1], [i, j + 1]]) {
+      for (const [a, b] of [
+        [i - 1, j],
+        [i + 1, j],
+        [i, j - 1],
+        [i, j + 1],
+      ]) {
         if (a < 0 || b < 0 || a >= columns || b >= rows || !left[a * rows + b]) continue;
         left[a * rows + b] = 0;
         front.push(a * rows + b);

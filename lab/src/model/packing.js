@@ -1,5 +1,5 @@
-// What the core is told of runs, as plain arrays: the numbers of each, and the courses of their plates. As the package's
-// engine/packing.py, by the core's own names.
+// What the core is told of runs, as plain arrays: the numbers of each, and the courses of their plates. As the
+// package's engine/packing.py, by the core's own names.
 import { finestStep, offsetOf, termsOf } from "./motion.js";
 import { nodeMass } from "./sheet.js";
 import { knotsOf } from "./spline.js";
@@ -12,15 +12,28 @@ export function parametersOf(s) {
   const { sheet, contact, friction } = s;
   const share = sheet.pitch ** 2 / contact.tile_area;
   return {
-    pitch: sheet.pitch, node_mass: nodeMass(sheet), axial_stiffness: sheet.axial_stiffness, axial_damping: sheet.axial_damping,
-    shear_ratio: sheet.shear_ratio, bending_stiffness: sheet.bending_stiffness, bending_damping: sheet.bending_damping,
-    torsion_stiffness: sheet.torsion_stiffness, torsion_damping: sheet.torsion_damping,
-    contact_stiffness: contact.stiffness * 1e-3 * share, contact_damping: contact.damping * share,
-    contact_ramp: contact.damping_ramp, static_friction: friction.static, kinetic_friction: friction.kinetic,
-    static_speed: friction.transition_speed, kinetic_speed: friction.transition_speed * friction.kinetic_speed_ratio,
-    smooth_friction: friction.law === "adams" ? 1 : 0, gravity: s.gravity,
-    plate_half_length: s.plate ? s.plate.length / 2 : ENDLESS, plate_half_width: s.plate ? s.plate.width / 2 : ENDLESS,
-    plate_height: s.motion.height, time_step: timeStep(s),
+    pitch: sheet.pitch,
+    node_mass: nodeMass(sheet),
+    axial_stiffness: sheet.axial_stiffness,
+    axial_damping: sheet.axial_damping,
+    shear_ratio: sheet.shear_ratio,
+    bending_stiffness: sheet.bending_stiffness,
+    bending_damping: sheet.bending_damping,
+    torsion_stiffness: sheet.torsion_stiffness,
+    torsion_damping: sheet.torsion_damping,
+    contact_stiffness: contact.stiffness * 1e-3 * share,
+    contact_damping: contact.damping * share,
+    contact_ramp: contact.damping_ramp,
+    static_friction: friction.static,
+    kinetic_friction: friction.kinetic,
+    static_speed: friction.transition_speed,
+    kinetic_speed: friction.transition_speed * friction.kinetic_speed_ratio,
+    smooth_friction: friction.law === "adams" ? 1 : 0,
+    gravity: s.gravity,
+    plate_half_length: s.plate ? s.plate.length / 2 : ENDLESS,
+    plate_half_width: s.plate ? s.plate.width / 2 : ENDLESS,
+    plate_height: s.motion.height,
+    time_step: timeStep(s),
   };
 }
 
@@ -49,8 +62,8 @@ export function tableStep(s, motion) {
 }
 
 /**
- * Courses side by side: the last layers of all are one, and so on down; where a course has fewer layers than the longest,
- * layers of a plate that stands where it begins lie beneath.
+ * Courses side by side: the last layers of all are one, and so on down; where a course has fewer layers than the
+ * longest, layers of a plate that stands where it begins lie beneath.
  *
  * @param {object[]} scenarios
  * @param {import("./course.js").Layer[][]} courses
@@ -72,23 +85,45 @@ export function packCourses(scenarios, courses, ends) {
     termDof.push(...packed.dofs);
     terms.push(...packed.numbers);
     layerTerms.push(termDof.length);
-    const numbers = row.map((layer, j) => (gone[j]
-      ? [0, 0, 0, 1, ...offsetOf(layer.motion)]
-      : [layer.begin, layer.duration, layer.tableBegin, tableStep(scenarios[j], layer.motion), ...offsetOf(layer.motion)]));
+    const numbers = row.map((layer, j) =>
+      gone[j]
+        ? [0, 0, 0, 1, ...offsetOf(layer.motion)]
+        : [
+            layer.begin,
+            layer.duration,
+            layer.tableBegin,
+            tableStep(scenarios[j], layer.motion),
+            ...offsetOf(layer.motion),
+          ],
+    );
     for (let k = 0; k < numbers[0].length; k++) for (let j = 0; j < n; j++) layers.push(numbers[j][k]);
-    row.forEach((layer, j) => followed.push(!gone[j] && layer.motion.samples
-      ? { samples: layer.motion.samples, step: tableStep(scenarios[j], layer.motion), end: ends[j] - layer.tableBegin }
-      : null));
+    row.forEach((layer, j) =>
+      followed.push(
+        !gone[j] && layer.motion.samples
+          ? {
+              samples: layer.motion.samples,
+              step: tableStep(scenarios[j], layer.motion),
+              end: ends[j] - layer.tableBegin,
+            }
+          : null,
+      ),
+    );
   }
   return {
-    nLayers: most, layerTerms: Int32Array.from(layerTerms), termDof: Int32Array.from(termDof), terms: Float64Array.from(terms),
-    layers: Float64Array.from(layers), ...tables(followed),
+    nLayers: most,
+    layerTerms: Int32Array.from(layerTerms),
+    termDof: Int32Array.from(termDof),
+    terms: Float64Array.from(terms),
+    layers: Float64Array.from(layers),
+    ...tables(followed),
   };
 }
 
 /** Sines of every run in shared slots: the degree of freedom of each slot, and [slot][3][run] numbers. */
 function packTerms(byRun) {
-  const most = Array.from({ length: 6 }, (_, d) => Math.max(...byRun.map((terms) => terms.filter((term) => term[0] === d).length)));
+  const most = Array.from({ length: 6 }, (_, d) =>
+    Math.max(...byRun.map((terms) => terms.filter((term) => term[0] === d).length)),
+  );
   const dofs = most.flatMap((count, d) => Array(count).fill(d));
   const numbers = new Array(dofs.length * 3 * byRun.length).fill(0);
   byRun.forEach((terms, j) => {
@@ -103,7 +138,8 @@ function packTerms(byRun) {
 
 /** Knots of sampled trajectories one after the other, and where those of each begin; none where nothing is sampled. */
 function tables(followed) {
-  if (!followed.some(Boolean)) return { knots: new Float64Array(0), firstKnot: new BigInt64Array(0), nKnots: new BigInt64Array(0) };
+  if (!followed.some(Boolean))
+    return { knots: new Float64Array(0), firstKnot: new BigInt64Array(0), nKnots: new BigInt64Array(0) };
   const made = new Map();
   const keyOf = (one) => (one ? `${identity(one.samples)} ${one.step}` : "");
   const ends = new Map();

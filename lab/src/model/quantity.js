@@ -12,8 +12,12 @@ const LARGEST = 1e30;
  */
 
 /** @returns {Quantity} */
-const quantity = (display, factor, example, { above = -Infinity, atLeast = -Infinity, atMost = Infinity, smallest = SMALLEST } = {}) =>
-  ({ display, factor, example, above, atLeast, atMost, smallest: above === 0 ? smallest : 0 });
+const quantity = (
+  display,
+  factor,
+  example,
+  { above = -Infinity, atLeast = -Infinity, atMost = Infinity, smallest = SMALLEST } = {},
+) => ({ display, factor, example, above, atLeast, atMost, smallest: above === 0 ? smallest : 0 });
 
 export const LENGTH = quantity("mm", 1e-3, "10 mm", { above: 0, atMost: 10 });
 export const OFFSET = quantity("mm", 1e-3, "0 mm", { atLeast: -10, atMost: 10 });
@@ -46,8 +50,11 @@ export const checkNumber = (value, field, measured) => {
   const { above, atLeast, atMost, smallest, example } = measured;
   const within = typeof value === "number" && value > above && value >= atLeast && value <= atMost;
   if (within && Math.abs(value) <= LARGEST && Math.abs(value) >= smallest) return value;
-  const bounds = [above > -Infinity && `above ${shown(above, measured)}`, atLeast > -Infinity && `at least ${shown(atLeast, measured)}`,
-    atMost < Infinity && `at most ${shown(atMost, measured)}`].filter(Boolean);
+  const bounds = [
+    above > -Infinity && `above ${shown(above, measured)}`,
+    atLeast > -Infinity && `at least ${shown(atLeast, measured)}`,
+    atMost < Infinity && `at most ${shown(atMost, measured)}`,
+  ].filter(Boolean);
   if (within) bounds.push(`from ${smallest} to ${LARGEST} in size, in SI`);
   const got = Number.isFinite(value) ? shown(value, measured) : told(value);
   throw new Refusal(field, got, ["a number", bounds.join(" and ")].join(" ").trim(), example);

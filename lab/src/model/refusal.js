@@ -1,4 +1,4 @@
-// What is wrong with a scenario: the field, what was got, what is allowed, what to type instead. As the package's errors.
+// What is wrong with a scenario: the field, what was got, what is allowed, what to type. As the package's errors.py.
 
 const MOST_LETTERS = 80;
 

@@ -1,8 +1,22 @@
 // A scenario: what is checked of it, and its time step. As the package's model/scenario.py and model/contact.py.
 import { checkMotion, periodOf, shortestPeriod } from "./motion.js";
 import {
-  ACCELERATION, ANGLE, AREA, AXIAL_DAMPING, AXIAL_STIFFNESS, COEFFICIENT, DELAY, DEPTH, DURATION, LENGTH, OFFSET, SPEED,
-  SPEED_RATIO, TIME_STEP, checkNumber, checkNumbers,
+  ACCELERATION,
+  ANGLE,
+  AREA,
+  AXIAL_DAMPING,
+  AXIAL_STIFFNESS,
+  COEFFICIENT,
+  DELAY,
+  DEPTH,
+  DURATION,
+  LENGTH,
+  OFFSET,
+  SPEED,
+  SPEED_RATIO,
+  TIME_STEP,
+  checkNumber,
+  checkNumbers,
 } from "./quantity.js";
 import { Refusal, checkTable, told } from "./refusal.js";
 import { checkSheet, latticeOf, nodeMass, stableTimeStep } from "./sheet.js";
@@ -17,7 +31,12 @@ const FRICTION_RATIO = 0.53; // kinetic over static, as the dissertation has it
 const LAWS = ["thesis", "adams"];
 
 const CONTACT = { stiffness: AXIAL_STIFFNESS, damping: AXIAL_DAMPING, damping_ramp: DEPTH, tile_area: AREA };
-const FRICTION = { static: COEFFICIENT, kinetic: COEFFICIENT, transition_speed: SPEED, kinetic_speed_ratio: SPEED_RATIO };
+const FRICTION = {
+  static: COEFFICIENT,
+  kinetic: COEFFICIENT,
+  transition_speed: SPEED,
+  kinetic_speed_ratio: SPEED_RATIO,
+};
 const START = { x: OFFSET, y: OFFSET, angle: ANGLE };
 const PLATE = { length: LENGTH, width: LENGTH };
 
@@ -42,31 +61,52 @@ export const checkScenario = (s) => {
 
 const checkFriction = (friction) => {
   checkNumbers(friction, "friction", FRICTION);
-  if (!LAWS.includes(friction.law)) throw new Refusal("friction.law", told(friction.law), `one of ${LAWS.join(", ")}`, '"thesis"');
+  if (!LAWS.includes(friction.law))
+    throw new Refusal("friction.law", told(friction.law), `one of ${LAWS.join(", ")}`, '"thesis"');
   if (friction.kinetic > friction.static)
-    throw new Refusal("friction.kinetic", told(friction.kinetic), `at most the static coefficient ${friction.static}`,
-      digits(FRICTION_RATIO * friction.static));
+    throw new Refusal(
+      "friction.kinetic",
+      told(friction.kinetic),
+      `at most the static coefficient ${friction.static}`,
+      digits(FRICTION_RATIO * friction.static),
+    );
 };
 
 /** Transient, steps and time step fit each other. */
 const checkTimes = (s) => {
   if (measuredFrom(s) >= s.duration)
-    throw new Refusal("transient", `${digits(measuredFrom(s))} s`, `below the duration ${digits(s.duration)} s`, `${digits(0.3 * s.duration)} s`);
+    throw new Refusal(
+      "transient",
+      `${digits(measuredFrom(s))} s`,
+      `below the duration ${digits(s.duration)} s`,
+      `${digits(0.3 * s.duration)} s`,
+    );
   const [joints, sine, usual] = [stableTimeStep(s.sheet), stepOfFastestSine(s.motion), usualStep(s)];
   if (s.duration / usual > MOST_STEPS && usual === sine) {
     const fastest = (s.motion.frequency * sine * MOST_STEPS) / s.duration;
-    throw new Refusal("motion.frequency", `${digits(s.motion.frequency)} Hz`,
-      `at most ${digits(fastest)} Hz where ${digits(s.duration)} s are simulated`, `${digits(Math.min(24, 0.5 * fastest))} Hz`);
+    throw new Refusal(
+      "motion.frequency",
+      `${digits(s.motion.frequency)} Hz`,
+      `at most ${digits(fastest)} Hz where ${digits(s.duration)} s are simulated`,
+      `${digits(Math.min(24, 0.5 * fastest))} Hz`,
+    );
   }
   if (s.duration / usual > MOST_STEPS)
-    throw new Refusal("duration", `${digits(s.duration)} s`,
-      `at most ${digits(MOST_STEPS * usual)} s at a time step of ${digits(usual)} s`, `${digits(Math.min(4, 0.5 * MOST_STEPS * usual))} s`);
+    throw new Refusal(
+      "duration",
+      `${digits(s.duration)} s`,
+      `at most ${digits(MOST_STEPS * usual)} s at a time step of ${digits(usual)} s`,
+      `${digits(Math.min(4, 0.5 * MOST_STEPS * usual))} s`,
+    );
   const [least, largest] = [s.duration / MOST_STEPS, Math.min(joints, sine)];
   if (!given(s.time_step) || (s.time_step >= least && s.time_step <= largest)) return;
   const reason = joints < sine ? "the joints stay stable" : `the fastest sine gets ${STEPS_PER_SINE} steps`;
-  throw new Refusal("time_step", `${digits(s.time_step)} s`,
+  throw new Refusal(
+    "time_step",
+    `${digits(s.time_step)} s`,
     `at least ${digits(least)} s and at most ${digits(largest)} s, where ${reason}`,
-    `${digits(SHARE_OF_STABLE_STEP * usual)} s, or leave it out`);
+    `${digits(SHARE_OF_STABLE_STEP * usual)} s, or leave it out`,
+  );
 };
 
 const digits = (value) => String(Number(value.toPrecision(3)));

@@ -2,7 +2,14 @@
 import { lattice } from "./lattice.js";
 import { checkOutline, occupiedSquares } from "./outline.js";
 import {
-  AXIAL_DAMPING, AXIAL_STIFFNESS, BENDING_DAMPING, BENDING_STIFFNESS, LENGTH, MASS, RATIO, checkNumbers,
+  AXIAL_DAMPING,
+  AXIAL_STIFFNESS,
+  BENDING_DAMPING,
+  BENDING_STIFFNESS,
+  LENGTH,
+  MASS,
+  RATIO,
+  checkNumbers,
 } from "./quantity.js";
 import { Refusal, checkTable } from "./refusal.js";
 
@@ -34,9 +41,16 @@ export const latticeOf = ({ outline, pitch }) => {
 export const nodeMass = (sheet) => sheet.mass / latticeOf(sheet).nNodes;
 
 const NUMBERS = {
-  mass: MASS, pitch: LENGTH, thickness: LENGTH, bending_stiffness: BENDING_STIFFNESS, bending_damping: BENDING_DAMPING,
-  axial_stiffness: AXIAL_STIFFNESS, axial_damping: AXIAL_DAMPING, shear_ratio: RATIO,
-  torsion_stiffness: BENDING_STIFFNESS, torsion_damping: BENDING_DAMPING,
+  mass: MASS,
+  pitch: LENGTH,
+  thickness: LENGTH,
+  bending_stiffness: BENDING_STIFFNESS,
+  bending_damping: BENDING_DAMPING,
+  axial_stiffness: AXIAL_STIFFNESS,
+  axial_damping: AXIAL_DAMPING,
+  shear_ratio: RATIO,
+  torsion_stiffness: BENDING_STIFFNESS,
+  torsion_damping: BENDING_DAMPING,
 };
 
 /** @throws {Refusal} */
@@ -47,7 +61,12 @@ export const checkSheet = (sheet) => {
   const { nNodes } = latticeOf(sheet);
   if (nNodes > MOST_NODES) {
     const coarser = Number((1e3 * sheet.pitch * Math.sqrt(nNodes / MOST_NODES) * 1.05).toPrecision(3));
-    throw new Refusal("sheet.pitch", `${nNodes} nodes`, `coarse enough for at most ${MOST_NODES} in a page`, `${coarser} mm`);
+    throw new Refusal(
+      "sheet.pitch",
+      `${nNodes} nodes`,
+      `coarse enough for at most ${MOST_NODES} in a page`,
+      `${coarser} mm`,
+    );
   }
 };
 

@@ -9,7 +9,12 @@ export function knotsOf(samples, step, end) {
   const last = samples.time.at(-1);
   const n = Math.ceil((Math.min(last, end) + 2 * step) / step);
   if (!(n <= MOST_KNOTS))
-    throw new Refusal("motion.samples", `${n} knots`, `at most ${MOST_KNOTS}`, "samples further apart, or a shorter run");
+    throw new Refusal(
+      "motion.samples",
+      `${n} knots`,
+      `at most ${MOST_KNOTS}`,
+      "samples further apart, or a shorter run",
+    );
   const table = new Float64Array(12 * n);
   AXES.forEach((axis, d) => {
     const values = samples[axis];
@@ -46,7 +51,8 @@ export function naturalSpline(x, y) {
     const h = x[at + 1] - x[at];
     const [a, b] = [(x[at + 1] - time) / h, (time - x[at]) / h];
     const value = a * y[at] + b * y[at + 1] + (((a ** 3 - a) * second[at] + (b ** 3 - b) * second[at + 1]) * h * h) / 6;
-    const slope = (y[at + 1] - y[at]) / h + ((-(3 * a * a - 1) * second[at] + (3 * b * b - 1) * second[at + 1]) * h) / 6;
+    const slope =
+      (y[at + 1] - y[at]) / h + ((-(3 * a * a - 1) * second[at] + (3 * b * b - 1) * second[at + 1]) * h) / 6;
     return [value, slope];
   };
 }

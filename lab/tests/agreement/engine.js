@@ -25,9 +25,13 @@ const coded = (array) => ({
 /** What the core is told of runs of one lattice, by the names of the package's packing. */
 const toldOf = (runs) => {
   const lattice = latticeOf(runs[0].sheet);
-  const course = packCourses(runs, runs.map(({ motion }) => courseOf(motion)), runs.map((s) => stepsOf(s) * timeStep(s)));
+  const ends = runs.map((s) => stepsOf(s) * timeStep(s));
+  const course = packCourses(runs, runs.map(({ motion }) => courseOf(motion)), ends);
   return {
-    numbers: { steps: runs.map(stepsOf), stride: runs.map((s) => strideOf(s)), dt: runs.map(timeStep), n_axial_lines: lattice.axial },
+    numbers: {
+      steps: runs.map(stepsOf), stride: runs.map((s) => strideOf(s)), dt: runs.map(timeStep),
+      n_axial_lines: lattice.axial,
+    },
     arrays: Object.fromEntries(Object.entries({
       line_start: lattice.lineStart, line_nodes: lattice.lineNodes, cells: lattice.cells, rest: lattice.rest,
       parameters: packParameters(engine.names.parameters, runs), features: Int32Array.from(featuresOf(runs)),
