@@ -54,7 +54,16 @@ MOVED = typed(
 )  # fmt: skip
 FRAGMENT = typed(out="o.toml", plot="p.png", json="")
 WINDOW = typed(_from="0.02 s", to="0.2 s")
-OBJECT = typed(natural_frequency="8 Hz", angle="5 deg", stroke="2 mm", mu_s="0.6", mu_k="0.3", _with="measured.toml")
+MADE = typed(
+    outline="rectangle 60 mm", pitch="8 mm", mass="5 g", material="silicone-dragon-skin-30", young="0.5 MPa"
+)  # fmt: skip
+OF_A_MATERIAL = typed(
+    thickness="1 mm", density="1100 kg/m^3", poisson="0.5", loss_factor="0.1", damping_ratio="0.1"
+)  # fmt: skip
+OBJECT = MADE | typed(
+    natural_frequency="8 Hz", angle="5 deg", stroke="2 mm", mu_s="0.6", mu_k="0.3", _with="measured.toml",
+    plate_size="60 mm",
+)  # fmt: skip
 RUN = OBJECT | typed(
     sheet="pancake", friction_law="adams", duration="0.15 s", dt="5e-5 s", repeats="2", engine="cpu64", plot="p.png"
 )
@@ -91,7 +100,7 @@ MOVES = typed(
     duration="2 s", reach="10 mm", generations="2", seed="3", engine="cpu64", store="moved", dask="host:1",
     out="o.json", plot="p.png", json="",
 )  # fmt: skip
-STEER = typed(
+STEER = MADE | typed(
     machine="shaker.toml", to="0 mm, 5 mm", _from="0 mm, 1 mm", hold="1 s", within="2 mm", timeout="20 s",
     plate_size="300 mm", _with="measured.toml", through_pixels="", camera_rate="30 Hz", camera_noise="1 mm, 1 deg",
     camera_delay="10 ms", missed="10%", dark="1:2 s", method="one-pulse", generations="2", menu="menu.json", seed="3",
@@ -104,6 +113,7 @@ LAB = OBJECT | typed(
 
 MODES = [
     Mode(("simulate", *SHORT), RUN | typed(frequency="20 Hz", out="o.nc", filmstrip="s.png"), ("--seed", "--draws")),
+    Mode(("simulate", *SHORT, "--young", "0.5 MPa"), OF_A_MATERIAL, ("--sheet", "--natural-frequency")),
     Mode(("simulate", "--duration", "0.02 s"), typed(film="f.mp4"), ()),
     Mode(("simulate", "--duration", "0.1 s"), JSON, ()),
     Mode(("simulate", *LONGER, "--repeats", "3"), typed(seed="4"), ()),
@@ -111,6 +121,7 @@ MODES = [
     Mode(("simulate", *LONGER, "--with", "measured.toml", "--draws", "2"), typed(seed="4"), ()),
     Mode(("curve", "--frequency", "22:24:1Hz", *SHORT), RUN | typed(frequency="20:26:2Hz", out="o.csv")),
     Mode(("curve", "--frequency", "22:24:1Hz", "--duration", "0.1 s"), JSON, ()),
+    Mode(("curve", "--frequency", "22:22:1Hz", *SHORT, "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("curve", "--frequency", "22:24:1Hz", *SHORT, "--repeats", "3"), typed(seed="4"), ()),
     Mode(("fit", "peak.csv"), typed(plot="p.png", json="")),
     Mode(("export", "--out", "m.csv", "--frequency", "12 Hz"), MOVED | typed(out="n.csv", cycle="")),
@@ -118,9 +129,11 @@ MODES = [
     Mode(("export", "--out", "m.xml"),
          typed(out="n.xml", form="shell", dt="5e-5 s", frequency="20 Hz", angle="2 deg", stroke="2 mm", json="")),
     Mode(("export", "--out", "m.mcap", "--frequency", "12 Hz"), MOVED | typed(out="n.mcap", joints="a,b", topic="/to")),
-    Mode(("modes",), typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
+    Mode(("modes",), MADE | typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
+    Mode(("modes", "--young", "0.5 MPa"), OF_A_MATERIAL, ("--sheet", "--natural-frequency")),
     Mode(("lab",), LAB),
     Mode(("lab", "measured.toml"), but(LAB, "--stroke", "--with") | typed(scenario="pancake"), ()),
+    Mode(("lab", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("lab", "poses.csv"), LAB | typed(scenario="pancake"), ()),
     Mode(("lab", "done.zarr"), typed(out="o.html", no_open="")),
     Mode(("needs",), typed(machine="shaker.toml", frequency="20 Hz", angle="5 deg", stroke="2 mm", json="")),
@@ -132,6 +145,7 @@ MODES = [
     Mode(("steer", "--to", "0 mm, 0 mm"), STEER, ("--goals", "--height", "--rate")),
     Mode(("steer", "--to", "0 mm, 0 mm", "--trajectory", "u.csv"), typed(rate="2 kHz", trajectory="t.mcap"), ()),
     Mode(("steer", "--to", "0 mm, 0 mm", "--out", "p.csv"), typed(out="o.json"), ()),
+    Mode(("steer", "--to", "0 mm, 0 mm", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("steer", "--goals", "goals.csv"), typed(goals="other.csv"), ("--to",)),
     Mode(("steer", "--path", "figure of eight"),
          but(STEER, "--to", "--hold", "--method") | typed(path="L", height="30 mm"), ("--goals", "--hold", "--method")),
@@ -141,7 +155,8 @@ MODES = [
     Mode(("materials",), JSON),
     Mode(("scenario",), typed(print="cheese", json="")),
     Mode(("scenario", "cheese"), JSON),
-    Mode(("scenario", "--print", "cheese"), {}),
+    Mode(("scenario", "--print", "cheese"), MADE | typed(plate_size="150 mm")),
+    Mode(("scenario", "--print", "cheese", "--material", "silicone-dragon-skin-30"), OF_A_MATERIAL, ()),
     Mode(("estimate", "peak.csv"), POSTERIOR),
     Mode(("estimate", "peak.csv", "--next"),
          typed(candidate_angle="5 deg", candidate_stroke="2 mm", candidate_height="0:20 mm", candidate_phase="90 deg",
@@ -190,6 +205,7 @@ MODES = [
     Mode(("track-strip", "strip.mp4"), typed(fps="960", duration="0.1 s", link_length="10 mm", out="o.csv", json="")),
     Mode(("target", "t.pdf"), typed(plate_size="120 mm", fiducial="10 mm")),
     Mode(("shoot", "cheese", "new.mp4", "--seconds", "0.2"), SHOT),
+    Mode(("shoot", "cheese", "new.mp4", "--seconds", "0.2", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("shoot", "cheese", "new.mp4", "--no-markers"), JSON, ("--hidden",)),
 ]  # fmt: skip
 

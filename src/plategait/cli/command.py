@@ -22,11 +22,31 @@ _LAID_OVER = {
     "motion.frequency": "frequency", "motion.angle": "angle", "motion.stroke": "stroke", "sheet.mass": "mass",
     "friction.static": "mu_s", "friction.kinetic": "mu_k", "friction.law": "friction_law", "friction_ratio": "beta",
     "time_step": "dt", "preset": "preset_name", "marker": "fiducial", "appearance.exposure": "exposure",
+    "young_modulus": "young", "poisson_ratio": "poisson", "corners": "outline",
     "appearance.noise": "noise", "appearance.crf": "crf", "appearance.hidden": "hidden",
 }  # fmt: skip
 
 # Units that people leave outside quotes.
-_UNITS = {"deg", "rad", "m", "mm", "cm", "s", "ms", "g", "kg", "hz", "khz", "pi", "rad/s"}
+_UNITS = {
+    "deg",
+    "rad",
+    "m",
+    "mm",
+    "cm",
+    "s",
+    "ms",
+    "g",
+    "kg",
+    "hz",
+    "khz",
+    "pi",
+    "rad/s",
+    "pa",
+    "kpa",
+    "mpa",
+    "gpa",
+    "kg/m^3",
+}
 
 
 class Command(TyperCommand):

@@ -36,14 +36,18 @@ def curve(
     """Spin rate over a range of plate frequencies, with gaits, failures and the Lorentz fit."""
     check_outputs((out, (".csv",), "--out"), (plot, PICTURES, "--plot"))
     options.refuse_idle_seed(context, ensemble.repeats)
+    nominal = laid_over.over(scenario)
     with report.progress_bar("simulating") as progress:
-        result = spin_curve(
-            laid_over.over(scenario), parse_frequencies(frequency), **asdict(ensemble), progress=progress
-        )
+        result = spin_curve(nominal, parse_frequencies(frequency), **asdict(ensemble), progress=progress)
     if out:
         write_curve(result, out)
     _plot_curve(result, plot)
-    report.print_json(result.summary()) if as_json else report.print_curve(result)
+    taken = laid_over.taken(scenario, nominal, friction_told=laid_over.mu_s is not None)
+    if as_json:
+        report.print_json(result.summary() | ({"taken": taken} if taken else {}))
+    else:
+        report.print_curve(result)
+        report.print_notes(taken)
     raise typer.Exit(0 if result.fit else 1)
 
 

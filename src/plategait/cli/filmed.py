@@ -77,13 +77,13 @@ def read_part(text: str | None) -> float | None:
     return _TIME.read(text, "--duration") if text is not None else None
 
 
-def read_size(text: str) -> tuple[float, float]:
-    """Length and width of a plate, m, from "100 mm x 80 mm", or "100 mm" for a square one."""
+def read_size(text: str, option: str = "--plate-size") -> tuple[float, float]:
+    """Length and width of a plate or an outline, m, from "100 mm x 80 mm", or "100 mm" for a square one."""
     parts = [part.strip() for part in text.lower().replace("×", "x").split("x")]
     if not 1 <= len(parts) <= 2 or not all(parts):
-        raise InputError("--plate-size", text, "one length, or two with an x between", '"100 mm x 80 mm"')
+        raise InputError(option, text, "one length, or two with an x between", '"100 mm x 80 mm"')
     unit = parts[-1].lstrip("0123456789.eE+- ")
-    sizes = [LENGTH.read(p if p[-1:].isalpha() else f"{p} {unit}".strip(), "--plate-size") for p in parts]
+    sizes = [LENGTH.read(p if p[-1:].isalpha() else f"{p} {unit}".strip(), option) for p in parts]
     return sizes[0], sizes[-1]
 
 

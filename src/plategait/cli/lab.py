@@ -49,7 +49,10 @@ def lab(
     if shown.kind == "scenario":
         refuse(context, ["scenario"], "where WHAT is one itself", f"plategait lab {scenario}")
     base = what if shown.kind == "scenario" else scenario or "cheese"
-    html = page(shown.payload(None if shown.own_scenario else laid_over.over(base, frequency))).encode()
+    shaken = None if shown.own_scenario else laid_over.over(base, frequency)
+    html = page(shown.payload(shaken)).encode()
     write_whole(html, out, PAGES, "--out")
     opened = "" if no_open or open_page(out) else "; no browser to open it in"
     report.print_notes([f"{out}: {shown.kind} {Path(what).name}, {len(html) / 1e6:.2f} MB{opened}"])
+    if shaken is not None:
+        report.print_notes(laid_over.taken(base, shaken, friction_told=laid_over.mu_s is not None))

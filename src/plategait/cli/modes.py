@@ -7,13 +7,18 @@ from typing import Annotated
 import typer
 
 from plategait.cli import options, report
+from plategait.cli.groups import grouped
+from plategait.cli.material_options import MaterialOptions
 from plategait.files.output import PICTURES, check_outputs
 
 _MODE_KEYS = {"omega": "omega_rad_s", "frequency": "frequency_hz", "damping_ratio": "damping_ratio", "name": "name"}
 
 
+@grouped
 def modes(
     scenario: options.ScenarioName = "cheese",
+    *,
+    made: MaterialOptions,
     sheet: options.Sheet = None,
     natural_frequency: options.NaturalFrequency = None,
     count: Annotated[int, typer.Option("--count", help="How many to print.", min=1)] = 8,
@@ -22,7 +27,7 @@ def modes(
 ) -> None:
     """Free-vibration modes of a sheet; the dish mode is the dissertation's natural frequency."""
     check_outputs((plot, PICTURES, "--plot"))
-    built = options.build(scenario, sheet=sheet, natural_frequency=natural_frequency).sheet
+    built = options.build(scenario, made=made, sheet=sheet, natural_frequency=natural_frequency).sheet
     free_modes = built.free_modes
     if plot:
         from plategait.plots.figures import plot_modes

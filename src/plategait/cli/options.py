@@ -10,11 +10,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from plategait.cli.command import refuse
+from plategait.cli.filmed import read_size
+from plategait.cli.material_options import MaterialOptions
 from plategait.engine import engines
+from plategait.errors import InputError
 from plategait.model.fragment import overlay, read_fragment
 from plategait.model.parameters import find_parameter, kinetic_follows, with_values
 from plategait.model.presets import PRESETS, as_scenario
-from plategait.model.scenario import Scenario
+from plategait.model.scenario import Plate, Scenario
 from plategait.units import FREQUENCY, Quantity
 
 if TYPE_CHECKING:
@@ -27,6 +30,10 @@ Sheet = Annotated[str | None, typer.Option("--sheet", help="Take the sheet of th
 NaturalFrequency = Annotated[
     str | None,
     typer.Option("--natural-frequency", help='Scale the bending stiffness to this dish mode: "10 pi rad/s", "5 Hz".'),
+]
+PlateSize = Annotated[
+    str | None,
+    typer.Option("--plate-size", help='A plate that ends, along the bar and across it: "150 mm", "200 mm x 150 mm".'),
 ]
 Angle = Annotated[str | None, typer.Option("--angle", help='Angular amplitude A_p of the plate: "3 deg".')]
 Stroke = Annotated[str | None, typer.Option("--stroke", help='Linear amplitude B_p of the plate: "3 mm".')]
@@ -76,10 +83,11 @@ def refuse_idle_seed(context: typer.Context, repeats: int) -> None:
 
 
 @dataclass(frozen=True)
-class ObjectOptions:
+class ObjectOptions(MaterialOptions):
     """Object and plate as typed, laid over a scenario."""
 
     natural_frequency: NaturalFrequency = None
+    plate_size: PlateSize = None
     angle: Angle = None
     stroke: Stroke = None
     mu_s: MuS = None
@@ -89,8 +97,9 @@ class ObjectOptions:
     def over(self, scenario: str, frequency: str | None = None, generator: Generator | None = None) -> Scenario:
         """Scenario of a name with these laid over it, measured parameters drawn where a generator is given."""
         hertz = FREQUENCY.read(frequency, "--frequency") if frequency is not None else None
-        laid_over = {field.name: getattr(self, field.name) for field in fields(self)}
-        return build(scenario, frequency=hertz, generator=generator, **laid_over)
+        own = {field.name for field in fields(self)} - {field.name for field in fields(MaterialOptions)}
+        laid_over = {name: getattr(self, name) for name in own}
+        return build(scenario, made=self, frequency=hertz, generator=generator, **laid_over)
 
 
 @dataclass(frozen=True)
@@ -115,6 +124,8 @@ class EnsembleOptions:
 def build(
     name: str,
     *,
+    made: MaterialOptions | None = None,
+    plate_size: str | None = None,
     sheet: str | None = None,
     natural_frequency: str | None = None,
     frequency: float | None = None,
@@ -130,16 +141,31 @@ def build(
 ) -> Scenario:
     """Scenario with the options of the command line laid over it.
 
-    Measured parameters are laid under them, drawn from their uncertainty where a generator is given. An error names the
-    scenario's parameter, which `Command` turns into the option that was typed.
+    The sheet comes first: another scenario's, cut and made as told. Measured parameters are laid over it, drawn from
+    their uncertainty where a generator is given, and the other options over them. An error names the scenario's
+    parameter, which `Command` turns into the option that was typed.
     """
-    scenario = overlay(as_scenario(name), [read_fragment(path) for path in measured or []], generator)
+    scenario = as_scenario(name)
+    if made is not None and made.of_a_material:
+        for option, typed in (("--sheet", sheet), ("--natural-frequency", natural_frequency)):
+            if typed is not None:
+                raise InputError(
+                    option, typed, "left out where a material is told", "leaving out --young and --material"
+                )
+    if sheet is not None:
+        scenario = scenario.replace(sheet=as_scenario(sheet, "--sheet").sheet)
+    if made is not None:
+        scenario = made.laid_over(scenario)
+    scenario = overlay(scenario, [read_fragment(path) for path in measured or []], generator)
     motion = {
         "natural_frequency": natural_frequency, "motion.frequency": frequency, "motion.angle": angle,
         "motion.stroke": stroke, "friction.static": mu_s, "friction.kinetic": mu_k, "friction.law": friction_law,
         "duration": duration, "time_step": dt,
     }  # fmt: skip
-    changes: dict[str, Any] = {} if sheet is None else {"sheet": as_scenario(sheet, "--sheet").sheet}
+    changes: dict[str, Any] = {}
+    if plate_size is not None:
+        length, width = read_size(plate_size)
+        changes["plate"] = Plate(length=length, width=width)
     changes |= {name: find_parameter(name, scenario).read(value) for name, value in motion.items() if value is not None}
     if scenario.transient is not None and scenario.transient >= changes.get("duration", math.inf):
         changes["transient"] = None

@@ -99,9 +99,12 @@ def simulate(
         result = run.simulate(nominal, **asdict(ensemble), progress=progress, snapshot_interval=files.snapshot_interval)
     files.write(result)
     drawn = _drawn(build, draws, ensemble) if draws else None
-    report.print_json(result.summary() | ({"draws": drawn} if drawn else {})) if as_json else report.print_simulation(
-        result, drawn
-    )
+    taken = laid_over.taken(scenario, nominal, friction_told=laid_over.mu_s is not None)
+    if as_json:
+        report.print_json(result.summary() | ({"draws": drawn} if drawn else {}) | ({"taken": taken} if taken else {}))
+    else:
+        report.print_simulation(result, drawn)
+        report.print_notes(taken)
     raise typer.Exit(0 if result.sound else 1)
 
 

@@ -125,11 +125,14 @@ def steer(
         "machine": machine, "method": steered.method, "motions": len(menu), "seed": steered.seed,
         "camera": camera_told(camera), "through_pixels": seen.through_pixels,
     }  # fmt: skip
+    if taken := lies_there.taken(scenario, true):
+        numbers["taken"] = taken
     report.print_json(numbers) if as_json else _print(numbers)
     raise typer.Exit(0 if numbers["reached"] else 1)
 
 
 def _print(numbers: dict[str, Any]) -> None:
+    report.print_notes(numbers.get("taken", []))
     if "path" in numbers:
         _print_path(numbers)
         return

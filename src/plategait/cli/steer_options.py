@@ -11,6 +11,7 @@ import typer
 
 from plategait.cli.command import refuse
 from plategait.cli.filmed import read_size
+from plategait.cli.material_options import MaterialOptions
 from plategait.cli.options import build, read_share
 from plategait.errors import InputError
 from plategait.files.ranges import parse_range
@@ -152,7 +153,7 @@ class AimOptions:
 
 
 @dataclass(frozen=True)
-class ObjectOptions:
+class ObjectOptions(MaterialOptions):
     """What lies on the plate, and what it is believed to be, as typed."""
 
     plate_size: Annotated[
@@ -172,7 +173,7 @@ class ObjectOptions:
 
     def true_and_believed(self, name: str) -> tuple[Scenario, Scenario]:
         """The object that lies on the plate, and the one that the controller knows."""
-        true, believed = build(name), build(name, measured=self.measured)
+        true, believed = build(name, made=self), build(name, made=self, measured=self.measured)
         if self.plate_size is not None:
             length, width = read_size(self.plate_size)
             plate = Plate(length=length, width=width)

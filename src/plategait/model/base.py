@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         """A base that lets a type checker pass text with a unit where a field holds a float."""
 
         model_fields: ClassVar[dict[str, FieldInfo]]
+        model_fields_set: set[str]
 else:
     _Fields = BaseModel
 

@@ -62,16 +62,26 @@ class Material(Model):
             "shear_ratio": ratio,
         }
 
-    def damping(self, joints: Mapping[str, float], natural_frequency: float) -> dict[str, float]:
-        """Dampers of those joints, c = k η/ω_n each: the loss factor is η at ω_n (rad/s), the dish mode's ζ = η/2.
+    def damping(
+        self, joints: Mapping[str, float], natural_frequency: float, in_plane_frequency: float
+    ) -> dict[str, float]:
+        """Dampers of those joints by the loss factor η, c = k η/ω each.
 
-        Kelvin–Voigt joints have one relaxation time η/ω_n: the loss factor at another frequency is η ω/ω_n.
+        Parameters
+        ----------
+        joints : mapping
+            As `joints` gives them.
+        natural_frequency : float
+            ω_n, rad/s, at which bending and torsion have the loss factor η: the dish mode's damping ratio is η/2.
+            Kelvin–Voigt joints have one relaxation time: at another frequency the loss factor is η ω/ω_n.
+        in_plane_frequency : float
+            rad/s, at which the axial joints have it, far above: dampers tuned to ω_n would be as stiff as walls there.
         """
-        time = (self.loss_factor or 0.0) / natural_frequency
+        loss = self.loss_factor or 0.0
         return {
-            "bending_damping": time * joints["bending_stiffness"],
-            "torsion_damping": time * joints["torsion_stiffness"],
-            "axial_damping": time * joints["axial_stiffness"],
+            "bending_damping": loss / natural_frequency * joints["bending_stiffness"],
+            "torsion_damping": loss / natural_frequency * joints["torsion_stiffness"],
+            "axial_damping": loss / in_plane_frequency * joints["axial_stiffness"],
         }
 
 

@@ -92,7 +92,12 @@ class Sheet(Model):
         sheet = cls(**{"mass": 1.0, **rest, **joints})
         if material.density is not None and "mass" not in rest:
             sheet = sheet.made_of(mass=material.density * sheet.thickness * sheet.area)
-        damping = material.damping(joints, sheet.natural_frequency) if material.loss_factor else {}
+        damping: dict[str, float] = {}
+        if material.loss_factor:
+            # A bar as long as the sheet rings lengthwise at π/L √(E/ρ).
+            stretch = material.young_modulus * sheet.thickness * sheet.area / sheet.mass
+            longest = sheet.pitch * max(sheet.lattice.occupied.shape)
+            damping = material.damping(joints, sheet.natural_frequency, math.pi / longest * math.sqrt(stretch))
         return {name: getattr(sheet, name) for name in cls.model_fields} | damping
 
     @classmethod

@@ -1,0 +1,138 @@
+"""Options that say what a sheet is cut to and made of, and the sheet that they add up to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Annotated, Any
+
+import typer
+
+from plategait.cli.outline import read_outline
+from plategait.errors import InputError
+from plategait.model.material import USUAL_POISSON_RATIO
+from plategait.model.materials import named_material
+from plategait.model.presets import PRESETS, as_scenario
+from plategait.model.scenario import Scenario
+from plategait.model.sheet import Sheet
+
+# What these options are called in a sheet's fields, where they are called otherwise.
+_FIELDS = {"young": "young_modulus", "poisson": "poisson_ratio"}
+_OF_A_MATERIAL = ("thickness", "density", "poisson", "loss_factor", "damping_ratio")
+
+
+@dataclass(frozen=True)
+class MaterialOptions:
+    """What the sheet is cut to and made of, as typed, in place of the scenario's."""
+
+    outline: Annotated[
+        str | None,
+        typer.Option(
+            "--outline", help='Cut to: "disk 40 mm" (radius), "rectangle 90 mm x 60 mm", corners.csv, "leaf.png 70 mm".'
+        ),
+    ] = None
+    pitch: Annotated[str | None, typer.Option("--pitch", help='Distance between nodes: "5 mm".')] = None
+    mass: Annotated[str | None, typer.Option("--mass", help='Weighed mass: "5 g".')] = None
+    material: Annotated[
+        str | None, typer.Option("--material", help="Made of one of `plategait materials`, typical numbers.")
+    ] = None
+    young: Annotated[str | None, typer.Option("--young", help='Young\'s modulus: "0.5 MPa".')] = None
+    thickness: Annotated[str | None, typer.Option("--thickness", help='Of the material: "1 mm".')] = None
+    density: Annotated[str | None, typer.Option("--density", help='Of the material: "1100 kg/m^3".')] = None
+    poisson: Annotated[
+        str | None, typer.Option("--poisson", help=f"Poisson's ratio; {USUAL_POISSON_RATIO} with --young.")
+    ] = None
+    loss_factor: Annotated[
+        str | None, typer.Option("--loss-factor", help="Damping, tan delta at the dish mode: 0.1.")
+    ] = None
+    damping_ratio: Annotated[
+        str | None, typer.Option("--damping-ratio", help="Or the damping ratio of the dish mode: 0.05.")
+    ] = None
+
+    @property
+    def of_a_material(self) -> bool:
+        """Whether a material was told."""
+        return self.young is not None or self.material is not None
+
+    @property
+    def makes_a_sheet(self) -> bool:
+        """Whether anything here was typed."""
+        return any(getattr(self, field.name) is not None for field in fields(MaterialOptions))
+
+    def laid_over(self, scenario: Scenario) -> Scenario:
+        """Scenario with this sheet; what was not typed is the scenario's own sheet's.
+
+        Raises
+        ------
+        InputError
+            When one says what the others leave open, or contradicts them.
+        """
+        if not self.makes_a_sheet:
+            return scenario
+        sheet = self._of_the_material(scenario.sheet) if self.of_a_material else self._of_the_same(scenario.sheet)
+        name = {"name": sheet.name} if self.of_a_material else {}
+        return scenario.replace(sheet=sheet, **name)
+
+    def _shape(self, sheet: Sheet) -> dict[str, Any]:
+        """Outline and pitch."""
+        outline = sheet.outline if self.outline is None else read_outline(self.outline)
+        return {"outline": outline, "pitch": sheet.pitch if self.pitch is None else self.pitch}
+
+    def _of_the_same(self, sheet: Sheet) -> Sheet:
+        """The scenario's sheet cut anew: of the same mass per area unless it was weighed."""
+        for name in _OF_A_MATERIAL:
+            if (typed := getattr(self, name)) is not None:
+                raise InputError(f"--{name.replace('_', '-')}", typed, "left out where no material is told",
+                                 '--young "0.5 MPa" or --material beside it')  # fmt: skip
+        cut: Sheet = sheet.replace(**self._shape(sheet))
+        scaled = sheet.mass if self.outline is None else sheet.mass * cut.area / sheet.area
+        weighed: Sheet = cut.replace(mass=scaled if self.mass is None else self.mass)
+        return weighed
+
+    def _of_the_material(self, sheet: Sheet) -> Sheet:
+        told: dict[str, Any] = self._shape(sheet) | {"thickness": sheet.thickness, "name": "sheet"}
+        if self.material is not None:
+            named_material(self.material, "--material")
+            told["name"] = self.material
+        for name in ("material", "young", "mass", *_OF_A_MATERIAL):
+            if (typed := getattr(self, name)) is not None:
+                told[_FIELDS.get(name, name)] = typed
+        if self.mass is None and self.density is None and self.material is None:
+            if self.outline is not None:
+                raise InputError("--density", "nothing", "given with a new outline, or else --mass",
+                                 '--density "1100 kg/m^3"')  # fmt: skip
+            told["mass"] = sheet.mass
+        return Sheet(**told)
+
+    def remarks(self, scenario: Scenario) -> dict[str, str]:
+        """Where the numbers of a sheet of a material come from, by dotted field, for a scenario file."""
+        if not self.of_a_material:
+            return {}
+        told = {"E": self.young, "h": self.thickness, "ρ": self.density, "ν": self.poisson, "η": self.loss_factor,
+                "ζ": self.damping_ratio}  # fmt: skip
+        words = [self.material or "", *(f"{sign} = {typed}" for sign, typed in told.items() if typed is not None)]
+        of = ", ".join(filter(None, words))
+        sheet = {
+            "bending_stiffness": f"D of {of}", "torsion_stiffness": "(1 - ν) D", "axial_stiffness": f"of {of}",
+            "shear_ratio": "by Poisson's ratio",
+        }  # fmt: skip
+        if scenario.sheet.bending_damping:
+            sheet |= dict.fromkeys(("bending_damping", "axial_damping", "torsion_damping"), "of the loss factor")
+        if self.mass is None and (self.density is not None or self.material is not None):
+            sheet["mass"] = "by the density, of the lattice's squares"
+        return {f"sheet.{name}": remark for name, remark in sheet.items()}
+
+    def taken(self, name: str, scenario: Scenario, *, friction_told: bool = False) -> list[str]:
+        """What a scenario made of the one of this name takes for want of anybody's word, in a line if anything."""
+        read = as_scenario(name)
+        preset = read.name if name in PRESETS else ""
+        said = [f"Poisson's ratio {USUAL_POISSON_RATIO}"] if self.young and not (self.poisson or self.material) else []
+        if self.of_a_material or not preset:
+            pair, source = scenario.friction, f"preset {preset}" if preset else "slice of cheese"
+            as_for = f"as for the {source}"
+            if not friction_told and (preset or "friction" not in read.model_fields_set):
+                said.append(f"friction {pair.static:.2f}/{pair.kinetic:.2f} {as_for}")
+            if preset or "contact" not in read.model_fields_set:
+                said.append(f"contact {as_for}")
+            if not scenario.sheet.bending_damping:
+                said.append("no damping of the sheet")
+        return [f"taken, as nobody told otherwise: {', '.join(said)}"] if said else []

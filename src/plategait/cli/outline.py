@@ -1,0 +1,44 @@
+"""Outlines as they are typed: a shape with its sizes, corners in a CSV file, or a picture with its width."""
+
+from __future__ import annotations
+
+from plategait.cli.filmed import LENGTH, read_size
+from plategait.errors import InputError
+from plategait.files.headings import Column
+from plategait.files.table import read_table
+from plategait.model.outline import Disk, Ellipse, Mask, Outline, Polygon, Rectangle
+
+_PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff", ".webp")
+_ALLOWED = "a shape with its size, a .csv of corners, or a picture with its width"
+
+
+def read_outline(text: str, option: str = "--outline") -> Outline:
+    """Outline of what was typed.
+
+    Parameters
+    ----------
+    text : str
+        "disk 40 mm" (its radius), "ellipse 90 mm x 50 mm", "rectangle 60 mm" (a square), "corners.csv" (a row for each
+        corner in order, columns x_mm and y_mm or in another unit), "leaf.png 70 mm" (the width of the whole picture).
+
+    Raises
+    ------
+    InputError
+        For anything else, or a file that cannot be read.
+    """
+    words = text.strip()
+    if words.lower().endswith(".csv"):
+        table = read_table(words, {"x": Column("m"), "y": Column("m")}, field=option, example="x_mm,y_mm", least_rows=3)
+        return Polygon(corners=tuple(zip(table["x"].tolist(), table["y"].tolist(), strict=True)))
+    for suffix in _PICTURES:
+        name, found, width = words.partition(f"{suffix} ")
+        if found:
+            return Mask(image=name + suffix, width_of_picture=LENGTH.read(width, option))
+    shape, _, size = words.partition(" ")
+    if shape.lower() == "disk" and size:
+        return Disk(radius=LENGTH.read(size.strip(), option))
+    kinds = {"ellipse": Ellipse, "rectangle": Rectangle}
+    if shape.lower() not in kinds or not size:
+        raise InputError(option, text, _ALLOWED, '"disk 40 mm", "rectangle 90 mm x 60 mm" or corners.csv')
+    length, width = read_size(size, option)
+    return kinds[shape.lower()](length=length, width=width)
