@@ -132,7 +132,7 @@ MODES = [
     Mode(("modes",), MADE | typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
     Mode(("modes", "--young", "0.5 MPa"), OF_A_MATERIAL, ("--sheet", "--natural-frequency")),
     Mode(("lab",), LAB),
-    Mode(("lab", "measured.toml"), but(LAB, "--stroke", "--with") | typed(scenario="pancake"), ()),
+    Mode(("lab", "measured.toml"), but(LAB, "--stroke", "--mass", "--with") | typed(scenario="pancake"), ()),
     Mode(("lab", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("lab", "poses.csv"), LAB | typed(scenario="pancake"), ()),
     Mode(("lab", "done.zarr"), typed(out="o.html", no_open="")),

@@ -133,6 +133,6 @@ class MaterialOptions:
                 said.append(f"friction {pair.static:.2f}/{pair.kinetic:.2f} {as_for}")
             if preset or "contact" not in read.model_fields_set:
                 said.append(f"contact {as_for}")
-            if not scenario.sheet.bending_damping:
+            if not scenario.sheet.bending_damping and (said or self.of_a_material):
                 said.append("no damping of the sheet")
         return [f"taken, as nobody told otherwise: {', '.join(said)}"] if said else []

@@ -141,9 +141,9 @@ def build(
 ) -> Scenario:
     """Scenario with the options of the command line laid over it.
 
-    The sheet comes first: another scenario's, cut and made as told. Measured parameters are laid over it, drawn from
-    their uncertainty where a generator is given, and the other options over them. An error names the scenario's
-    parameter, which `Command` turns into the option that was typed.
+    Another scenario's sheet comes first. Measured parameters are laid over it, drawn from their uncertainty where a
+    generator is given, and all other options over them. An error names the scenario's parameter, which `Command` turns
+    into the option that was typed.
     """
     scenario = as_scenario(name)
     if made is not None and made.of_a_material:
@@ -154,9 +154,9 @@ def build(
                 )
     if sheet is not None:
         scenario = scenario.replace(sheet=as_scenario(sheet, "--sheet").sheet)
+    scenario = overlay(scenario, [read_fragment(path) for path in measured or []], generator)
     if made is not None:
         scenario = made.laid_over(scenario)
-    scenario = overlay(scenario, [read_fragment(path) for path in measured or []], generator)
     motion = {
         "natural_frequency": natural_frequency, "motion.frequency": frequency, "motion.angle": angle,
         "motion.stroke": stroke, "friction.static": mu_s, "friction.kinetic": mu_k, "friction.law": friction_law,

@@ -1,0 +1,121 @@
+"""Objects typed by what they are cut to and made of: as in Python and in files, and refused where they clash."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+import plategait as pg
+from plategait.model.presets import preset
+from plategait.model.scenario_file import read_scenario
+
+CORNERS = ((0.0, 0.0), (0.08, 0.0), (0.06, 0.06), (0.01, 0.05))
+SILICONE = (
+    "--outline", "corners.csv", "--pitch", "5 mm", "--mass", "5 g", "--young", "0.5 MPa", "--thickness", "1 mm",
+    "--poisson", "0.5", "--loss-factor", "0.1", "--plate-size", "150 mm",
+)  # fmt: skip
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "corners.csv").write_text("x_mm,y_mm\n" + "".join(f"{1e3 * x:g},{1e3 * y:g}\n" for x, y in CORNERS))
+    return tmp_path
+
+
+def silicone():
+    sheet = pg.Sheet.from_material(
+        pg.Polygon(corners=CORNERS), "0.5 MPa", "1 mm", mass="5 g", pitch="5 mm", poisson_ratio=0.5, loss_factor=0.1
+    )
+    return preset("cheese").scenario.replace(name="sheet", sheet=sheet, plate=pg.Plate(length=0.15, width=0.15))
+
+
+def test_a_polygon_of_silicone_on_a_finite_plate_is_typed_in_a_line(called, folder):
+    printed = called("scenario", "--print", "cheese", *SILICONE, cwd=folder, check=0).stdout
+    (folder / "mine.toml").write_text(printed, encoding="utf-8")
+    assert read_scenario(folder / "mine.toml") == silicone()
+    assert "D of E = 0.5 MPa, h = 1 mm, ν = 0.5, η = 0.1" in printed
+    assert "published: Table 4.1" not in printed.partition("[contact]")[0]
+    typed = json.loads(called("simulate", *SILICONE, "--duration", "0.3 s", "--json", cwd=folder, check=0).stdout)
+    run = pg.simulate(silicone().replace(duration=0.3)).summary()
+    assert typed["spin_rate_deg_s"] == run["spin_rate_deg_s"]
+    assert typed["taken"] == [
+        "taken, as nobody told otherwise: friction 0.75/0.40 as for the preset cheese, contact as for the preset cheese"
+    ]
+
+
+def test_a_file_that_tells_no_friction_is_said_to_take_the_cheeses(called, tmp_path):
+    (tmp_path / "mine.toml").write_text(
+        '[sheet]\nthickness = "2 mm"\nmaterial = "silicone-dragon-skin-30"\n'
+        '[sheet.outline]\nshape = "disk"\nradius = "30 mm"\n'
+    )
+    said = called("simulate", "mine.toml", "--duration", "0.1 s", cwd=tmp_path, check=0).stdout
+    assert "friction 0.75/0.40 as for the slice of cheese, contact as for the slice of cheese, no damping" in said
+    said = called("simulate", "mine.toml", "--duration", "0.1 s", "--mu-s", "0.5", cwd=tmp_path, check=0).stdout
+    assert "friction" not in said.partition("taken")[2]
+
+
+@pytest.mark.parametrize(
+    ("typed", "nodes"),
+    [("disk 40 mm", 52), ("rectangle 60 mm x 40 mm", 24), ("ellipse 90x50 mm", 37), ("rectangle 0.04", 16)],
+)
+def test_shapes_are_typed_as_words(typed, nodes, called, tmp_path):
+    printed = called("scenario", "--print", "cheese", "--outline", typed, cwd=tmp_path, check=0).stdout
+    (tmp_path / "mine.toml").write_text(printed, encoding="utf-8")
+    sheet = read_scenario(tmp_path / "mine.toml").sheet
+    assert sheet.lattice.n_nodes == nodes
+    # The same slice cut anew: its mass per area stays.
+    assert sheet.node_mass == pytest.approx(preset("cheese").scenario.sheet.node_mass, rel=1e-9)
+
+
+def test_a_picture_is_typed_with_its_width(called, tmp_path):
+    from PIL import Image
+
+    picture = Image.new("L", (40, 20), 255)
+    picture.paste(0, (5, 5, 35, 15))
+    picture.save(tmp_path / "my leaf.png")
+    printed = called("scenario", "--print", "cheese", "--outline", "my leaf.png 80 mm", cwd=tmp_path, check=0).stdout
+    (tmp_path / "mine.toml").write_text(printed, encoding="utf-8")
+    assert read_scenario(tmp_path / "mine.toml").sheet.lattice.n_nodes == 12
+
+
+def test_materials_are_listed_with_their_sources(called, tmp_path):
+    listed = json.loads(called("materials", "--json", cwd=tmp_path, check=0).stdout)["materials"]
+    assert [row["name"] for row in listed] == list(pg.MATERIALS)
+    table = called("materials", cwd=tmp_path, check=0).stdout
+    assert all(name in table for name in pg.MATERIALS)
+    assert "Smooth-On" in table
+
+
+YOUNG = ("--young", "0.5 MPa")
+MISUSES = {
+    "modulus without a unit": (("--young", "0.5"), "--young", '"0.5 MPa"'),
+    "modulus in another unit": (("--young", "0.5 mm"), "--young", '"0.5 MPa"'),
+    "modulus and sheet": ((*YOUNG, "--sheet", "pancake"), "--sheet", "left out"),
+    "modulus and frequency": ((*YOUNG, "--natural-frequency", "5 Hz"), "--natural-frequency", "left out"),
+    "mass and density": ((*YOUNG, "--mass", "5 g", "--density", "1100 kg/m^3"), "--density", "one of the two"),
+    "both dampings": ((*YOUNG, "--loss-factor", "0.1", "--damping-ratio", "0.1"), "--damping-ratio", "loss_factor"),
+    "ratio too large": ((*YOUNG, "--poisson", "0.7"), "--poisson", "0.3"),
+    "thickness alone": (("--thickness", "1 mm"), "--thickness", "--young"),
+    "new outline without a mass": (("--outline", "disk 30 mm", *YOUNG), "--density", "--mass"),
+    "unknown material": (("--material", "silicon dragon skin 30"), "--material", "silicone-dragon-skin-30"),
+    "unknown shape": (("--outline", "disc 40 mm"), "--outline", '"disk 40 mm"'),
+    "a shape without a size": (("--outline", "disk"), "--outline", '"disk 40 mm"'),
+    "a size that is none": (("--outline", "rectangle a x b"), "--outline", "100 mm"),
+    "no such corners": (("--outline", "none.csv"), "--outline", "x_mm,y_mm"),
+    "no such picture": (("--outline", "none.png 70 mm"), "none.png", "leaf.png"),
+    "corners on a line": (("--outline", "line.csv"), "--outline", "[["),
+    "pitch too fine": (("--outline", "corners.csv", "--pitch", "0.01 mm"), "--pitch", '"0.8 mm"'),
+    "plate of no size": (("--plate-size", "0 mm"), "--plate-size", "100 mm"),
+}
+
+
+@pytest.mark.parametrize("misuse", MISUSES)
+def test_a_misuse_is_one_line_that_says_what_to_type(misuse, called, folder):
+    typed, option, instead = MISUSES[misuse]
+    (folder / "line.csv").write_text("x_mm,y_mm\n0,0\n10,10\n20,20\n")
+    done = called("simulate", *typed, cwd=folder, check=2)
+    assert len(done.stderr.splitlines()) == 1
+    assert option in done.stderr
+    assert instead in done.stderr
+    assert not done.stdout
