@@ -3,50 +3,34 @@
 from __future__ import annotations
 
 import base64
-from itertools import chain
 from typing import Any
 
 import numpy as np
 import plategait._native as _native
 import pytest
+from lab_native import CHEESE, GROUPS, RUNS, advanced, is_same, is_within_the_spread
 from lab_scripts import ENGINE, asked, needs_engine
-from lab_sheets import SHAPES, plain, random_groups
+from lab_sheets import SHAPES, plain
 
-import plategait as pg
 from plategait.engine.channels import CHANNELS
 from plategait.engine.cpu import Session
 from plategait.engine.packing import Told, features_of, lines_of, pack_courses, parameters_of
 from plategait.engine.recording import Recording, RunRequest
-from plategait.engine.session import advance_once
 from plategait.model.course import course_of
-from plategait.simulation.observation import Observation, observe
+from plategait.simulation.observation import observe
 
 pytestmark = needs_engine
 
-# Four of a lattice fill the module's lanes.
-GROUPS = random_groups(13, 4, seed=12, duration=0.3)
-CHEESE = pg.preset("cheese").scenario
-LONG = [CHEESE.replace(**{"motion.frequency": f, "duration": 2.0}) for f in (12.0, 18.0, 24.0, 30.0)]
-RUNS = [*chain.from_iterable(GROUPS), *LONG]
 KINDS = {"float64": "<f8", "float32": "<f4", "int32": "<i4", "int64": "<i8"}
 
-# The same numbers in single precision, but rounded otherwise: the module has no estimate of a reciprocal square root,
-# and fuses no multiplication with an addition. What is not chaotic stays within some thousand roundings of 1e-7.
+# What is not chaotic stays within some thousand roundings of 1e-7.
 SAME_PLACE, SAME_ANGLE = 2e-5, 1e-3  # m, rad
-# Rates of what is not chaotic; of what is, within what another start by a rounding does.
-SAME_RATE = np.radians(0.5)
-A_ROUNDING = 1e-8  # m
 # What a channel must swing by to be told from roundings of places of some centimetres, by its unit.
 LEAST = {"s": 1e-3, "m": 1e-6, "m^2": 1e-6, "1": 1e-2, "rad": 1e-4, "J": 1e-7}
 
 
 def decoded(coded: dict[str, str]) -> np.ndarray:
     return np.frombuffer(base64.b64decode(coded["bytes"]), KINDS[coded["kind"].removeprefix("big")])
-
-
-def advanced(requests: list[RunRequest]) -> list[Recording]:
-    """Recordings of the native core at the level that the module is compiled from."""
-    return advance_once(Session(requests, ends=True, instruction_set="baseline"), requests)
 
 
 # A sheet under way, told of one thing after the other.
@@ -76,11 +60,6 @@ def answer() -> dict[str, Any]:
 @pytest.fixture(scope="module")
 def native() -> list[Recording]:
     return advanced([RunRequest(s) for s in RUNS])
-
-
-@pytest.fixture(scope="module")
-def observed(native) -> list[Observation]:
-    return [observe(s, recording) for s, recording in zip(RUNS, native, strict=True)]
 
 
 def test_scenarios_are_of_every_kind():
@@ -156,36 +135,12 @@ def test_runs_are_the_same_before_chaos_tells(answer, native):
             assert np.abs(channels[name][early] - series[early]).max() <= 0.02 * size, name
 
 
-def test_rates_failures_gaits_and_energies_agree(answer, observed, chaotic):
-    unlike = []
-    for i, (mine, theirs) in enumerate(zip(observed, answer["observations"], strict=True)):
-        failures = (mine.failure and mine.failure.kind, theirs["failure"] and theirs["failure"]["kind"])
-        rate = float(theirs["spin"]["rate"])
-        same_rate = np.isnan(rate) == np.isnan(mine.spin.rate) and not abs(rate - mine.spin.rate) > SAME_RATE
-        energies = max(
-            abs(float(theirs["energy"][theirs_name]) - getattr(mine.energy, name))
-            for name, theirs_name in (("plate_work", "plateWork"), ("friction_loss", "frictionLoss"),
-                                      ("joint_loss", "jointLoss"), ("contact_loss", "contactLoss"))
-        )  # fmt: skip
-        same = failures[0] == failures[1] and same_rate and mine.gait == theirs["gait"]
-        if not same or energies > 0.01 * mine.energy.given:
-            unlike.append(i)
+def test_rates_failures_gaits_and_energies_agree(answer, native, chaotic):
+    told = answer["observations"]
+    mine = [observe(s, recording) for s, recording in zip(RUNS, native, strict=True)]
+    unlike = [i for i, observation in enumerate(mine) if not is_same(observation, told[i])]
     assert all(chaotic[i] for i in unlike)
-    for i in unlike:
-        assert within_the_spread(RUNS[i], answer["observations"][i])
-
-
-def within_the_spread(scenario: pg.Scenario, told: dict[str, Any]) -> bool:
-    """Whether what the lab shows of a chaotic run is among what the package shows of starts a rounding apart."""
-    starts = [(A_ROUNDING * k, -A_ROUNDING * k, 0.0) for k in range(-6, 7)]
-    shown = [observe(scenario, r) for r in advanced([RunRequest(scenario, start) for start in starts])]
-    kinds = {o.failure and o.failure.kind for o in shown}
-    gaits = {o.gait for o in shown}
-    rates = np.array([o.spin.rate for o in shown])
-    rate = float(told["spin"]["rate"])
-    low, high = np.nanmin(rates), np.nanmax(rates)
-    near = bool(np.isnan(rate) or low - (high - low) <= rate <= high + (high - low))
-    return (told["failure"] and told["failure"]["kind"]) in kinds and told["gait"] in gaits and near
+    assert all(is_within_the_spread(RUNS[i], told[i]) for i in unlike)
 
 
 def test_what_a_sheet_under_way_is_told(answer):
