@@ -102,3 +102,26 @@ def new_tab(browser):
     yield new
     for context in contexts:
         context.close()
+
+
+@pytest.fixture(scope="session")
+def lab_file(tmp_path_factory):
+    """Write the lab's page for what a user names, as `plategait lab` does; skips where the page was not built."""
+    from plategait.lab.page import page, shipped_folder
+    from plategait.lab.payload import named
+    from plategait.model.presets import as_scenario
+
+    if not (shipped_folder() / "built_from.json").is_file():
+        pytest.skip("the page is not built here: make lab")
+    folder = tmp_path_factory.mktemp("lab")
+
+    def write(what: str = "cheese", scenario: Any = "cheese", payload: dict[str, Any] | None = None) -> Path:
+        if payload is None:
+            shown = named(what)
+            base = as_scenario(what if shown.kind == "scenario" else scenario)
+            payload = shown.payload(None if shown.own_scenario else base)
+        path = folder / f"{len(list(folder.iterdir()))}.html"
+        path.write_text(page(payload), encoding="utf-8")
+        return path
+
+    return write
