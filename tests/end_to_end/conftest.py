@@ -5,13 +5,13 @@ from __future__ import annotations
 import functools
 import shutil
 import sys
-from dataclasses import dataclass, field
 from pathlib import Path
 from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
 import typer
+from lab_tab import Tab
 
 from plategait.cli import main
 
@@ -46,34 +46,6 @@ def called(monkeypatch, capsys):
 # Chromium as systems call it, drawing by itself where there is no graphics card.
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 DRAWING = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox")
-
-
-@dataclass
-class Tab:
-    """A page in a browser, and everything that it said, threw or asked of the network meanwhile."""
-
-    page: Any
-    messages: list[str] = field(default_factory=list)
-    errors: list[str] = field(default_factory=list)
-    requests: list[str] = field(default_factory=list)
-
-    def __post_init__(self) -> None:
-        self.page.on("console", lambda message: self.messages.append(f"{message.type}: {message.text}"))
-        self.page.on("pageerror", lambda error: self.errors.append(str(error)))
-        self.page.context.on("request", self._asked)
-
-    def _asked(self, request: Any) -> None:
-        # What is in the file itself, and the file.
-        if not request.url.startswith(("blob:", "data:", "file:")):
-            self.requests.append(request.url)
-
-    def open(self, path: Path) -> None:
-        """Open a file as a double click does."""
-        self.page.goto(path.as_uri())
-
-    def check(self) -> None:
-        """Nothing was said, thrown or asked for."""
-        assert (self.messages, self.errors, self.requests) == ([], [], [])
 
 
 @pytest.fixture(scope="session")

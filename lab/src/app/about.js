@@ -9,6 +9,6 @@ export function about(footer, facts) {
       + "in single precision. Nothing is sent or fetched: the page forbids itself any network."),
     make("p", {}, "Rates are over the last periods as the sheet lives; a spin curve's points are measured over whole runs. "
       + "Keys: space, comma, full stop, r, s, f, k; ? names them."),
-    make("details", {}, make("summary", {}, "Licences of what is bundled"), make("pre", {}, licences)),
+    make("details", {}, make("summary", {}, "Licences of what is bundled"), make("pre", { tabIndex: 0 }, licences)),
   );
 }
