@@ -127,7 +127,7 @@ REFUSED = [
     ("motion.angle", "120 deg", "at most 90"), ("sheet.mass", "heavy", "begin with a number"),
     ("sheet.mass", "", "number"), ("sheet.mass", "20 kg", "at most 1e+4 g"), ("motion.stroke", "nan", "number"),
     ("friction.kinetic", "0.9", "at most the static"), ("friction.static", "-1", "at least 0"),
-    ("sheet.pitch", "0.01 mm", "nodes"), ("gravity", "-1", "at least 0"), ("motion.frequency", "1e999", "number"),
+    ("sheet.pitch", "0.01 mm", "coarse enough"), ("gravity", "-1", "at least 0"), ("motion.frequency", "1e999", "number"),
     ("duration", "<img src=x onerror=alert(1)>", "number"), ("motion.frequency", "24 __proto__", "no unit"),
     ("motion.frequency", "24 constructor", "no unit"),
 ]  # fmt: skip
@@ -168,7 +168,7 @@ def test_outlines_waveforms_laws_sines_and_the_plates_end(lab):
     assert len(seen) == len(kinds) >= 3
     waveform.select_option("sine")
     lab.button("Add a sine").click()
-    lab.page.get_by_label("Axis").select_option("rz")
+    lab.page.get_by_label("Axis", exact=True).select_option("rz")
     for label, text in (("amplitude in deg", "2"), ("times f", "2"), ("phase in deg", "45 deg")):
         box = lab.page.get_by_label(label)
         box.fill(text)
@@ -339,6 +339,7 @@ def test_a_link_holds_the_scenario_and_opens_with_it(lab, new_tab, cheese):
     # Pasted into the page that is open already.
     link = other.page.evaluate("location.hash")
     lab.begin("cheese")
+    assert lab.scenario() != told
     lab.page.evaluate("(link) => { location.hash = link }", link)
     lab.tab.until("document.title.startsWith('pancake')")
     assert lab.scenario() == told
@@ -447,7 +448,7 @@ def test_a_file_that_is_none_is_refused_and_changes_nothing(lab):
         {"viewport": {"width": 1280, "height": 800}, "color_scheme": "light"},
         {"viewport": {"width": 1280, "height": 800}, "color_scheme": "dark", "reduced_motion": "reduce"},
         {"viewport": {"width": 360, "height": 740}, "color_scheme": "light", "has_touch": True, "is_mobile": True},
-        {"viewport": {"width": 360, "height": 740}, "color_scheme": "dark", "forced_colors": "active"},
+        {"viewport": {"width": 360, "height": 740}, "color_scheme": "dark"},
     ],
     ids=["desk", "dark", "phone", "dark phone"],
 )

@@ -84,11 +84,11 @@ export const OUTLINES = {
   hexagon: (size) => ({ shape: "polygon", corners: regular(6, size) }),
 };
 
+/** A regular polygon whose longer side of its bounding box is `size`. */
 function regular(n, size) {
-  return Array.from({ length: n }, (_, k) => {
-    const angle = (2 * Math.PI * (k + 0.25)) / n;
-    return [(size / 2) * Math.cos(angle), (size / 2) * Math.sin(angle)];
-  });
+  const corners = Array.from({ length: n }, (_, k) => (2 * Math.PI * (k + 0.25)) / n).map((angle) => [Math.cos(angle), Math.sin(angle)]);
+  const by = size / Math.max(...sizeOf({ shape: "polygon", corners }));
+  return corners.map(([x, y]) => [by * x, by * y]);
 }
 
 function leaf(size) {

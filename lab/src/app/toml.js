@@ -66,12 +66,13 @@ function merged(base, data, prefix, facts) {
       throw new Error(`${name}: nothing known by that name`);
     const inner = value && typeof value === "object" && !Array.isArray(value);
     if (inner) copy[key] = merged(base?.[key] ?? (key === "plate" ? { length: 0.1, width: 0.1 } : {}), value, `${name}.`, facts);
-    else copy[key] = key === "waves" ? value.map(wave(facts)) : si(value, name, facts);
+    else copy[key] = key === "waves" && Array.isArray(value) ? value.map(wave(facts)) : si(value, name, facts);
   }
   return copy;
 }
 
-const wave = (facts) => (given) => {
+const wave = (facts) => (given, i) => {
+  if (typeof given !== "object" || given === null || Array.isArray(given)) throw new Error(`motion.waves.${i}: no table of its fields`);
   const known = { axis: "z", amplitude: 0, ratio: 1, phase: 0 };
   return { ...known, ...Object.fromEntries(Object.entries(given).map(([key, value]) => [key, si(value, key, facts)])) };
 };

@@ -42,6 +42,7 @@ export const plotIn = (el, options, data) => {
   const frame = el.appendChild(document.createElement("div"));
   frame.className = "chart-frame";
   frame.setAttribute("role", "img");
+  frame.setAttribute("aria-label", "chart, empty so far");
   const size = () => ({ width: Math.max(el.clientWidth, 120), height: Math.max(el.clientHeight, 80) });
   let drawn = null;
   let waiting = data;

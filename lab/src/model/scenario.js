@@ -45,7 +45,9 @@ const given = (value) => value !== null && value !== undefined;
 /** Refuse what cannot be simulated, in one line that says what to type. @throws {Refusal} */
 export const checkScenario = (s) => {
   checkTable(s, "scenario");
+  checkName(s.name, "name");
   checkSheet(s.sheet);
+  checkName(s.sheet.name, "sheet.name");
   checkMotion(s.motion);
   checkNumbers(checkTable(s.contact, "contact"), "contact", CONTACT);
   checkFriction(checkTable(s.friction, "friction"));
@@ -57,6 +59,10 @@ export const checkScenario = (s) => {
   checkNumber(s.slip_limit, "slip_limit", LENGTH);
   if (given(s.time_step)) checkNumber(s.time_step, "time_step", TIME_STEP);
   checkTimes(s);
+};
+
+const checkName = (name, field) => {
+  if (given(name) && typeof name !== "string") throw new Refusal(field, told(name), "a word", '"cheese"');
 };
 
 const checkFriction = (friction) => {
