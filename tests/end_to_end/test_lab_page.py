@@ -127,7 +127,8 @@ REFUSED = [
     ("motion.angle", "120 deg", "at most 90"), ("sheet.mass", "heavy", "begin with a number"),
     ("sheet.mass", "", "number"), ("sheet.mass", "20 kg", "at most 1e+4 g"), ("motion.stroke", "nan", "number"),
     ("friction.kinetic", "0.9", "at most the static"), ("friction.static", "-1", "at least 0"),
-    ("sheet.pitch", "0.01 mm", "coarse enough"), ("gravity", "-1", "at least 0"), ("motion.frequency", "1e999", "number"),
+    ("sheet.pitch", "0.01 mm", "coarse enough"), ("gravity", "-1", "at least 0"),
+    ("motion.frequency", "1e999", "number"),
     ("duration", "<img src=x onerror=alert(1)>", "number"), ("motion.frequency", "24 __proto__", "no unit"),
     ("motion.frequency", "24 constructor", "no unit"),
 ]  # fmt: skip
