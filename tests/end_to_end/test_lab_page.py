@@ -61,7 +61,8 @@ TYPED = {
     "sheet.torsion_stiffness": "1e-3 N*mm/deg", "sheet.torsion_damping": "1e-6 N*mm/(deg/s)",
     "sheet.axial_stiffness": "1 N/mm", "sheet.axial_damping": "1e-3 N/(mm/s)", "sheet.shear_ratio": "1.5",
     "sheet.thickness": "3 mm", "sheet.pitch": "8 mm", "sheet.outline.radius": "35 mm", "friction.static": "0.9",
-    "friction.kinetic": "0.3", "friction.transition_speed": "80 mm/s", "contact.stiffness": "10 N/mm",
+    "friction.kinetic": "0.3", "friction.transition_speed": "80 mm/s", "friction.kinetic_speed_ratio": "8",
+    "contact.stiffness": "10 N/mm",
     "contact.damping": "5e-3 N/(mm/s)", "contact.damping_ramp": "0.05 mm", "start.x": "5 mm", "start.y": "-3 mm",
     "start.angle": "30 deg", "gravity": "5 m/s^2", "slip_limit": "15 mm", "duration": "3 s",
 }  # fmt: skip
@@ -186,7 +187,6 @@ def test_outlines_waveforms_laws_sines_and_the_plates_end(lab):
     assert lab.scenario().plate.length == pytest.approx(0.3)
     lab.page.get_by_label("The plate ends").uncheck()
     assert lab.scenario().plate is None
-    lab.moves()
 
 
 def test_a_preset_lies_there_with_what_is_published_of_it(lab):
