@@ -121,6 +121,30 @@ def test_a_sheet_too_small_for_a_mode_has_no_frequency_to_be_damped_at():
         pg.Sheet(**TOLD | {"outline": pg.Rectangle(length="20 mm", width="20 mm")}, loss_factor=0.1)
 
 
+def test_a_sheet_of_many_nodes_is_damped_by_the_dish_of_a_coarser_one(monkeypatch):
+    told = {"outline": pg.Disk(radius="40 mm"), "young_modulus": "1 MPa", "thickness": "1 mm", "mass": "10 g"}
+    exact = pg.Sheet(**told, pitch="4 mm", loss_factor=0.1)
+    monkeypatch.setattr("plategait.model.sheet._NODES_FOR_DAMPING", exact.lattice.n_nodes - 1)
+    near = pg.Sheet(**told, pitch="4 mm", loss_factor=0.1)
+    assert near.bending_damping != exact.bending_damping
+    # A pitch a tenth wider of twenty nodes across: the staircase of the edge, first order.
+    assert near.bending_damping == pytest.approx(exact.bending_damping, rel=0.03)
+    assert near.replace(bending_damping=0, torsion_damping=0) == exact.replace(bending_damping=0, torsion_damping=0)
+
+
+def test_a_word_of_a_part_is_found_where_it_belongs():
+    sheet = pg.preset("cheese").scenario.sheet
+    for typed, meant in (
+        ("young_modulus", "sheet.young_modulus"), ("material", "sheet.material"), ("mass", "sheet.mass"),
+        ("frequency", "motion.frequency"), ("static", "friction.static"),
+    ):  # fmt: skip
+        with pytest.raises(InputError) as refused:
+            pg.Scenario(sheet=sheet, **{typed: 1})
+        assert refused.value.hint == meant
+    with pytest.raises(InputError, match=r"try outline\.radius"):
+        pg.Sheet(**TOLD, radius="40 mm")
+
+
 def test_no_key_is_a_field_and_no_joint_is_left_out():
     joints = {name for name in pg.Sheet.model_fields if name.endswith(("_stiffness", "_damping", "_ratio"))}
     assert joints == set(DERIVED)

@@ -11,7 +11,8 @@ if TYPE_CHECKING:
 _GROUPS = {
     "Object": (
         "sheet", "natural_frequency", "mu_s", "mu_k", "friction_law", "measured", "mass", "thickness", "radius", "beta",
-        "young", "density", "poisson", "loss_factor", "damping_ratio", "material", "outline", "pitch", "scenario",
+        "young", "density", "poisson", "loss_factor", "damping_ratio", "material", "outline", "pitch", "plate_size",
+        "scenario",
     ),
     "Motion": ("frequency", "angle", "stroke", "height", "ramp", "joints", "machine", "cycle", "rate", "topic"),
     "Runs": (

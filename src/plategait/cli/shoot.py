@@ -102,10 +102,15 @@ def shoot(
         "clip": str(out), "frames": len(truth.time), "fps": filming.fps,
         "spin_rate_deg_s": rate if math.isfinite(rate) else None, "failure": run.summary()["failure"],
     }  # fmt: skip
-    report.print_json(numbers) if as_json else print(
+    taken = laid_over.taken(scenario, to_film, friction_told=laid_over.mu_s is not None)
+    if as_json:
+        report.print_json(numbers | ({"taken": taken} if taken else {}))
+        return
+    print(
         f"{out}: {len(truth.time)} frames of {to_film.name} at {to_film.motion.frequency:g} Hz, "
         f"spinning at {rate:.1f} deg/s" + (f", {numbers['failure']}" if numbers["failure"] else "")
     )
+    report.print_notes(taken)
 
 
 def _pixels(text: str) -> tuple[int, int]:

@@ -162,9 +162,25 @@ def _elements_with(part: tuple[Any, ...], changes: Mapping[str, Any]) -> tuple[A
 def unknown_field(model: type[Model], name: str) -> InputError:
     """What to raise for a name that a model does not know, with the nearest that it does."""
     fields = [*model.model_fields, *model.also_read]
-    close = difflib.get_close_matches(name, fields, n=1) or [f for f in fields if f"_{name}_" in f"_{f}_"]
+    inside = {dotted.rpartition(".")[2]: dotted for dotted in reversed(_names_inside(model))}
+    close = (
+        [inside[name]] if name in inside else difflib.get_close_matches(name, fields, n=1)
+        or [field for field in fields if f"_{name}_" in f"_{field}_"]
+        or [inside[found] for found in difflib.get_close_matches(name, inside, n=1, cutoff=0.8)]
+    )  # fmt: skip
     hint = close[0] if close else "leaving it out"
     return InputError(name, "nothing known by that name", f"one of {', '.join(fields)}", hint)
+
+
+def _names_inside(model: type[Model]) -> list[str]:
+    """Dotted names of what the parts of a model know."""
+    parts = [
+        (field, part)
+        for field, info in model.model_fields.items()
+        for part in (info.annotation, *get_args(info.annotation))
+        if isinstance(part, type) and issubclass(part, Model)
+    ]
+    return [f"{field}.{name}" for field, part in parts for name in (*part.model_fields, *part.also_read)]
 
 
 def _example(model: type[Model], name: str) -> str:

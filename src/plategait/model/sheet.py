@@ -28,6 +28,8 @@ from plategait.units import (
     Ratio,
 )
 
+_NODES_FOR_DAMPING = 1500
+
 
 class Sheet(Model):
     """A thin soft object: a lattice of mass nodes with Kelvin–Voigt joints between neighbours.
@@ -97,7 +99,7 @@ class Sheet(Model):
             # A bar as long as the sheet rings lengthwise at π/L √(E/ρ).
             stretch = material.young_modulus * sheet.thickness * sheet.area / sheet.mass
             longest = sheet.pitch * max(sheet.lattice.occupied.shape)
-            damping = material.damping(joints, sheet.natural_frequency, math.pi / longest * math.sqrt(stretch))
+            damping = material.damping(joints, sheet._dish_of_few_nodes, math.pi / longest * math.sqrt(stretch))
         return {name: getattr(sheet, name) for name in cls.model_fields} | damping
 
     @classmethod
@@ -210,6 +212,15 @@ class Sheet(Model):
             When no mode bends the sheet.
         """
         return self.free_modes.natural.omega
+
+    @property
+    def _dish_of_few_nodes(self) -> float:
+        """`natural_frequency`; of more nodes than take a second, that of the same sheet at a coarser pitch."""
+        share = self.lattice.n_nodes / _NODES_FOR_DAMPING
+        if share <= 1:
+            return self.natural_frequency
+        coarser: Sheet = self.replace(pitch=1.1 * self.pitch * math.sqrt(share))
+        return coarser.natural_frequency
 
     def with_natural_frequency(self, omega: float | str, nominal: float | str | None = None) -> Sheet:
         """Same sheet, same mass, at another natural frequency: k_b scaled by the square, as in section 4.4.
