@@ -98,7 +98,7 @@ def test_a_spin_curve_is_the_packages_and_its_points_are_watched(lab, tmp_path, 
     some = [0, 10, 20, 29]
     runs = [CHEESE.replace(**{"motion.frequency": curve.frequency_hz[i], "duration": 2.0}) for i in some]
     for i, run in zip(some, simulate_all(runs), strict=True):
-        assert curve.spin_rate_deg_s[i] == pytest.approx(np.degrees(run.spin_rate), abs=SAME_RATE)
+        assert curve.spin_rate_deg_s[i] == pytest.approx(np.degrees(run.spin_rate), abs=SAME_RATE, nan_ok=True)
     fit = json.loads(called("fit", path.name, "--json", cwd=tmp_path, check=0).stdout)
     words = panel.locator(".study-words").inner_text()
     assert float(re.search(r"f0 ([\d.]+) Hz", words)[1]) == pytest.approx(fit["f0_hz"], abs=0.01)  # type: ignore[index]
@@ -158,7 +158,7 @@ def test_a_map_is_the_packages_and_its_cells_are_watched(lab, tmp_path):
         frequency, angle = float(row[0]), float(row[1])
         run = CHEESE.replace(**{"motion.frequency": frequency, "motion.angle": f"{angle:.12g} deg", "duration": 1.0})
         (own,) = simulate_all([run])
-        assert float(row[rate]) == pytest.approx(np.degrees(own.spin_rate), abs=SAME_RATE)
+        assert float(row[rate]) == pytest.approx(np.degrees(own.spin_rate), abs=SAME_RATE, nan_ok=True)
     chart = panel.get_by_role("application")
     chart.focus()
     for key in ("ArrowRight", "ArrowUp", "Enter"):
@@ -224,7 +224,7 @@ def accessible(lab: Lab) -> None:
 def test_a_recorded_run_is_played_beside_the_live_sheet(shown):
     lab = shown("run.nc")
     panel = lab.page.get_by_role("tabpanel")
-    assert "120" in panel.inner_text() or "121" in panel.inner_text()
+    assert re.search(r"walking · \d+ °/s, 1[12]\d shapes of 0\.60 s", panel.inner_text())
     accessible(lab)
     panel.get_by_role("button", name="Play it beside the live sheet").click()
     assert lab.page.locator(".scene").count() == 2
