@@ -6,11 +6,10 @@ from typing import Any
 
 import pytest
 from lab_scripts import NODE, asked
-from lab_sheets import random_scenarios
+from lab_sheets import plain, random_groups
 
 import plategait as pg
 from plategait.lab.facts import facts
-from plategait.lab.scenario_json import plain_scenario
 from plategait.model.presets import PRESETS
 
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is not installed")
@@ -35,11 +34,10 @@ LINKS = {
 
 @pytest.fixture(scope="module")
 def told() -> tuple[list[pg.Scenario], dict[str, Any]]:
-    scenarios = [pg.preset(name).scenario for name in PRESETS] + random_scenarios(25, seed=5)
-    plain = [plain_scenario(scenario)[0] for scenario in scenarios]
-    return scenarios, asked(
-        "share.js", {"facts": facts(), "scenarios": plain, "files": list(FILES), "links": list(LINKS)}
-    )
+    strangers = [scenario for group in random_groups(25, 1, seed=5) for scenario in group]
+    scenarios = [pg.preset(name).scenario for name in PRESETS] + strangers
+    question = {"facts": facts(), "scenarios": [plain(scenario) for scenario in scenarios]}
+    return scenarios, asked("share.js", question | {"files": list(FILES), "links": list(LINKS)})
 
 
 def test_a_saved_file_is_the_scenario_to_the_bit(told, tmp_path):
