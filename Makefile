@@ -3,6 +3,7 @@
 # make test-fast  run the unit tests and closed forms that take less than about a second each, and the command lines
 # make test-kernels  run what leans on linear algebra with another kernel of OpenBLAS than the processor's own
 # make lint   ruff, clang-format, pyright, import-linter
+# make docs   the site, in build/docs: everything is made here, nothing is fetched
 # make bench  the speed report
 # make bench-peers  the same sheets through MuJoCo's batch and through ours
 # make fuzz   thousands of random scenarios and commands: none may crash, hang or answer with nonsense
@@ -21,7 +22,7 @@ SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 # Compiled modules are kept, whatever the environment says: each command that a test starts would compile all anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-fast test-kernels lint bench bench-peers fuzz sanitize lab lab-check clean always
+.PHONY: demo test test-fast test-kernels lint docs bench bench-peers fuzz sanitize lab lab-check clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
@@ -64,6 +65,15 @@ lint: .venv/installed-lint
 	$(BIN)/clang-format --dry-run --Werror native/*
 	$(BIN)/pyright --threads 2
 	$(BIN)/lint-imports
+
+.venv/installed-docs: .venv/installed
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'plategait[docs]'
+	touch $@
+
+# A warning is an error: a page in no list, a link to nothing, an example that fails, a page that would fetch something.
+docs: .venv/installed-docs
+	OPENBLAS_NUM_THREADS=1 $(BIN)/sphinx-build -q -W --keep-going -b html -d build/doctrees docs build/docs
+	@echo build/docs/index.html
 
 bench: .venv/installed-test
 	$(BIN)/python -m benchmarks
@@ -126,4 +136,4 @@ lab-check: $(ZIG)/installed lab/node_modules/.package-lock.json
 	diff -r --brief build/lab/check $(SHIPPED)
 
 clean:
-	rm -rf .venv build out lab/node_modules
+	rm -rf .venv build out lab/node_modules docs/gallery

@@ -146,6 +146,11 @@ def sweep_of_json(text: str) -> Sweep:
 def read_sweep(path: Path | str) -> Sweep:
     """Read a sweep from a TOML file.
 
+    Parameters
+    ----------
+    path : Path or str
+        TOML file; `examples/sweep.toml` is a commented one.
+
     Raises
     ------
     InputError

@@ -66,7 +66,20 @@ def as_curve(curve: Curve | Path | str, field: str = "curve") -> Curve:
 
 
 def write_curve(curve: Curve, path: Path | str) -> None:
-    """Write a curve as CSV with the columns of `COLUMNS` and its observables, whole or not at all."""
+    """Write a curve as CSV with the columns of `COLUMNS` and its observables, whole or not at all.
+
+    Parameters
+    ----------
+    curve : Curve
+        Simulated or measured.
+    path : Path or str
+        File that ends in .csv; frequencies in Hz, rates in deg/s.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
     with whole_file(path, (".csv",), "out") as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         observables = _written(curve)
@@ -130,6 +143,11 @@ def read_curve(path: Path | str) -> Curve:
     Other units and names in the headings are read as well (see `plategait.files.table`), and what people write for a
     failure (`plategait.curve.outcome`). Empty cells are points without that knowledge. What is odd but may be meant is
     among the curve's notes.
+
+    Parameters
+    ----------
+    path : Path or str
+        CSV file: comma, semicolon or tab, any code page that spreadsheets write.
 
     Raises
     ------

@@ -109,6 +109,9 @@ def next_measurement(
     noise : float, optional
         Relative noise of a measurement; that of the posterior if left out.
     seed : int
+        Of the simulated futures.
+    progress : callable, optional
+        Called with the share that is done, 0 to 1.
 
     Raises
     ------

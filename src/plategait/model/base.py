@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import difflib
+import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, get_args, get_origin
+from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import ErrorDetails
 
 from plategait.arrays import Array
 from plategait.errors import InputError
+from plategait.model.described import documented, quantity_inside, signature_of
 from plategait.units import Quantity
 
 if TYPE_CHECKING:
@@ -61,7 +63,9 @@ class Model(_Fields):
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
-        """Take note of the shape that a new kind of outline goes by."""
+        """Say in its docstring what its fields are; take note of the shape that a new kind of outline goes by."""
+        cls.__doc__ = documented(inspect.cleandoc(cls.__doc__ or ""), cls.model_fields)
+        cls.__signature__ = signature_of(cls.model_fields)
         if "shape" in cls.model_fields:
             _TAGS.add(cls.model_fields["shape"].default)
 
@@ -105,20 +109,13 @@ class Model(_Fields):
 
     def quantity(self, name: str) -> Quantity | None:
         """What a field measures here, if it is given, or the numbers listed in it; None where it is no number."""
-        return quantity_of(type(self), name) or _quantity_inside(type(self).model_fields[name].annotation)
+        return quantity_of(type(self), name) or quantity_inside(type(self).model_fields[name].annotation)
 
 
 def quantity_of(model: type[Model], name: str) -> Quantity | None:
     """What a field measures; None where it is no number, or there is no such field."""
     metadata = model.model_fields[name].metadata if name in model.model_fields else []
     return next((m for m in metadata if isinstance(m, Quantity)), None)
-
-
-def _quantity_inside(annotation: Any) -> Quantity | None:
-    """What the numbers measure that may be left out, or are listed."""
-    if get_origin(annotation) is Annotated:
-        return next((m for m in annotation.__metadata__ if isinstance(m, Quantity)), None)
-    return next(filter(None, map(_quantity_inside, get_args(annotation))), None)
 
 
 def _by_part(changes: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, dict[str, Any]]]:

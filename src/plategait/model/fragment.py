@@ -107,13 +107,33 @@ def fragment_text(fragment: Fragment) -> str:
 
 
 def write_fragment(fragment: Fragment, path: Path | str) -> None:
-    """Write a fragment to a file, whole or not at all."""
+    """Write a fragment to a file, whole or not at all.
+
+    Parameters
+    ----------
+    fragment : Fragment
+        Values with their standard deviations, intervals and correlations.
+    path : Path or str
+        File that ends in .toml.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be written.
+    """
     with whole_file(path, (".toml",), "--out") as temporary:
         temporary.write_text(fragment_text(fragment), encoding="utf-8")
 
 
 def read_fragment(path: Path | str, field: str = "--with") -> Fragment:
     """Read a fragment, or part of a scenario written by hand: values without an uncertainty are taken as exact.
+
+    Parameters
+    ----------
+    path : Path or str
+        TOML file of `identify` or `estimate`, or one written by hand.
+    field : str, optional
+        What errors call it.
 
     Raises
     ------

@@ -157,6 +157,13 @@ MACHINES: Mapping[str, Machine] = {
 def machine_of(told: Machine | Path | str, field: str = "machine") -> Machine:
     """Machine of what tells one: itself, a name of `MACHINES`, or a TOML file.
 
+    Parameters
+    ----------
+    told : Machine, Path or str
+        A machine, its name, or its file.
+    field : str, optional
+        What errors call it.
+
     Raises
     ------
     InputError

@@ -100,6 +100,13 @@ MATERIALS: Mapping[str, NamedMaterial] = MappingProxyType({row[0]: _named(*row) 
 def named_material(name: object, field: str = "material") -> NamedMaterial:
     """Look a material up by its name.
 
+    Parameters
+    ----------
+    name : str
+        One of `MATERIALS`.
+    field : str, optional
+        What errors call it.
+
     Raises
     ------
     InputError

@@ -58,13 +58,13 @@ def _amplitude_on(axis: Axis) -> Quantity:
 class Samples(Model):
     """A trajectory given point by point; missing axes stay put, and the last pose is kept. SI units."""
 
-    time: tuple[float, ...] = Field(examples=["[0.0, 0.01, 0.02]"])
-    x: tuple[float, ...] = ()
-    y: tuple[float, ...] = ()
-    z: tuple[float, ...] = ()
-    rx: tuple[float, ...] = ()
-    ry: tuple[float, ...] = ()
-    rz: tuple[float, ...] = ()
+    time: tuple[float, ...] = Field(description="times of the samples, s, from 0", examples=["[0.0, 0.01, 0.02]"])
+    x: tuple[float, ...] = Field(default=(), description="along the bar, m")
+    y: tuple[float, ...] = Field(default=(), description="across the bar, m")
+    z: tuple[float, ...] = Field(default=(), description="upwards, m")
+    rx: tuple[float, ...] = Field(default=(), description="about the bar, rad")
+    ry: tuple[float, ...] = Field(default=(), description="about y, rad")
+    rz: tuple[float, ...] = Field(default=(), description="about z, rad")
 
     @model_validator(mode="after")
     def _consistent(self) -> Samples:

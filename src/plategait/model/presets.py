@@ -201,6 +201,11 @@ PRESETS = tuple(_MAKERS)
 def preset(name: str) -> Preset:
     """Look a preset up by name.
 
+    Parameters
+    ----------
+    name : str
+        One of `PRESETS`.
+
     Raises
     ------
     InputError

@@ -16,6 +16,13 @@ from plategait.units import Quantity, show
 def read_scenario(path: Path | str, field: str = "scenario") -> Scenario:
     """Read a scenario from a TOML file, which errors call `field`.
 
+    Parameters
+    ----------
+    path : Path or str
+        TOML file; numbers as text with units, or bare in SI.
+    field : str, optional
+        What errors call it.
+
     Raises
     ------
     InputError
@@ -44,6 +51,8 @@ def write_scenario(scenario: Scenario, notes: dict[str, str] | None = None) -> s
 
     Parameters
     ----------
+    scenario : Scenario
+        What to write.
     notes : dict, optional
         Remarks by dotted field name ("sheet.mass"), added to the comments.
     """

@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from plategait.engine.channels import CHANNELS
+from plategait.engine.channels import CHANNELS, ROTATION
 from plategait.engine.recording import RunRequest
 from plategait.errors import InputError
 from plategait.files.output import check_writable, write_whole
 from plategait.memory import available_memory, in_words
 from plategait.model.scenario_file import write_scenario
+from plategait.simulation import observables
 from plategait.simulation.registry import all_observables
 from plategait.version import __version__
 
@@ -38,6 +39,11 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     Dimensions are ``run``, ``time``, and with snapshots ``snapshot_time``, ``node``, ``axis``. Where runs ended early
     the rest is NaN. The attributes hold the scenario (TOML), the summary (JSON), version, engine, time step, seed and
     platform.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        What was simulated; its channels stand there in SI, with units and names.
     """
     import xarray
 
@@ -47,6 +53,9 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     for channel in _SERIES:
         series = _side_by_side([r[channel.name] for r in simulation.recordings])
         variables[channel.name] = (("run", "time"), series, {"long_name": channel.long_name, "units": channel.unit})
+    turned = [observables.rotation(r["spin_cross"], r["spin_dot"]) for r in simulation.recordings]
+    of_rotation = {"long_name": ROTATION.long_name, "units": ROTATION.unit}
+    variables[ROTATION.name] = (("run", "time"), _side_by_side(turned), of_rotation)
     coordinates: dict[str, object] = {
         "time": (("time",), longest["time"], {"long_name": "time", "units": "s"}),
         "run": np.arange(len(simulation.recordings)),
@@ -106,6 +115,13 @@ def _side_by_side(series: Sequence[np.ndarray]) -> np.ndarray:
 
 def write_dataset(simulation: Simulation, path: Path | str) -> None:
     """Write a simulation to a netCDF file, whole or not at all.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        What was simulated.
+    path : Path or str
+        File that ends in .nc; netCDF 4.
 
     Raises
     ------

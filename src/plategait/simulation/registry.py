@@ -239,6 +239,11 @@ def add_observable(observable: Observable) -> None:
 
     A command, or a worker of a campaign elsewhere, knows those of installed packages (`GROUP`).
 
+    Parameters
+    ----------
+    observable : Observable
+        What to measure in every run from now on.
+
     Raises
     ------
     InputError

@@ -49,9 +49,9 @@ def pressure(
 
 
 def full_contact_limit(half_width: float, y_B: float = 0.0, gravity: float = GRAVITY) -> float:
-    """Largest |Θ̈| at which (2.1) stays at or above 0 over the whole object, whichever way the plate turns.
+    """Largest ``|Θ̈|`` at which (2.1) stays at or above 0 over the whole object, whichever way the plate turns.
 
-    The edge farther from the bar lifts first, when the plate drops away under it at g: |Θ̈| = g / (h + |ᵐy_B|).
+    The edge farther from the bar lifts first, when the plate drops away under it at g: ``|Θ̈| = g / (h + |ᵐy_B|)``.
 
     Parameters
     ----------

@@ -74,6 +74,19 @@ def write_mjcf(
 ) -> None:
     """Write a scenario as an MJCF file, which ends in .xml (see `mjcf`).
 
+    Parameters
+    ----------
+    scenario : Scenario
+        What is simulated.
+    path : Path or str
+        File that ends in .xml.
+    form : {"nodes", "shell"}, optional
+        This package's lattice, or MuJoCo's own shell.
+    time_step : float, optional
+        Of the scene, s; chosen if left out.
+    field : str, optional
+        What errors call it.
+
     Raises
     ------
     InputError
