@@ -34,6 +34,7 @@ sphinx_gallery_conf = {
     "examples_dirs": str(HERE.parent / "examples" / "gallery"),
     "gallery_dirs": "gallery",
     "filename_pattern": r"\.py",
+    "image_scrapers": ("matplotlib", "package_figures.package_figures"),
     "matplotlib_animations": False,
     "abort_on_example_error": True,
     "download_all_examples": False,
@@ -44,6 +45,7 @@ sphinx_gallery_conf = {
     "remove_config_comments": True,
 }
 
+smartquotes = False  # what stands in quotes is to be typed
 html_theme = "pydata_sphinx_theme"
 html_title = f"plategait {release}"
 html_theme_options = {

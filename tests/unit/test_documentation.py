@@ -75,3 +75,27 @@ def test_every_item_of_the_regenerated_dissertation_is_on_the_map():
     tables = {f"table5.{i}" for i in range(2, 9)}  # the map says "table5.1 … fig5.12"
     between = {"fig5.7", "fig5.8", "fig5.9", "fig5.11", "targets"} | tables
     assert {name for name in NAMES if name not in page} - between == set()
+
+
+def test_every_command_and_every_option_says_what_it_is():
+    import typer
+
+    from plategait.cli import app
+
+    def below(path, group):
+        for name, command in group.commands.items():
+            if hasattr(command, "commands"):
+                yield from below(f"{path} {name}", command)
+            else:
+                yield f"{path} {name}", command
+
+    found = list(below("plategait", typer.main.get_command(app)))
+    assert len(found) > 25
+    silent = [path for path, command in found if not command.help]
+    silent += [
+        f"{path} {parameter.opts[0]}"
+        for path, command in found
+        for parameter in command.params
+        if parameter.param_type_name == "option" and not parameter.help
+    ]
+    assert silent == []
