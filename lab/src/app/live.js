@@ -6,6 +6,7 @@ const PICTURES = 60; // a second at most
 const AHEAD = 0.15; // s of wall time that are kept ready
 const A_PERIOD = 8; // frames that a plate period leaves to scrub through, of a sheet of few nodes
 const FEW_NODES = 200;
+const LEAST_CHUNK = 1e-3; // s of simulated time
 const LONGEST_CHUNK = 0.06; // s of a worker's time in one go, so that changes are heard
 
 /**
@@ -125,7 +126,9 @@ export class Live {
       this.clock = Math.min(this.clock + this.possible * Math.min(wall, 0.1), this.frames.last.time);
       const ready = this.frames.last.time - this.clock;
       if (!this.pending && !this.ended && ready < this.possible * AHEAD) {
-        const seconds = Math.max(1e-5, Math.min(this.possible * AHEAD, LONGEST_CHUNK * this.capacity));
+        // However slow it seemed: of a few steps the pace is mostly that of asking for them.
+        const chunk = Math.max(LEAST_CHUNK, LONGEST_CHUNK * this.capacity);
+        const seconds = Math.max(1e-5, Math.min(this.speed * AHEAD, chunk));
         this.pending = true;
         this.order(() => this.advance(seconds, Math.max(1, Math.round(seconds * this.framesPerSecond))));
       }

@@ -1608,6 +1608,7 @@
   var AHEAD = 0.15;
   var A_PERIOD = 8;
   var FEW_NODES = 200;
+  var LEAST_CHUNK = 1e-3;
   var LONGEST_CHUNK = 0.06;
   var Live = class {
     /**
@@ -1715,7 +1716,8 @@
         this.clock = Math.min(this.clock + this.possible * Math.min(wall, 0.1), this.frames.last.time);
         const ready = this.frames.last.time - this.clock;
         if (!this.pending && !this.ended && ready < this.possible * AHEAD) {
-          const seconds = Math.max(1e-5, Math.min(this.possible * AHEAD, LONGEST_CHUNK * this.capacity));
+          const chunk = Math.max(LEAST_CHUNK, LONGEST_CHUNK * this.capacity);
+          const seconds = Math.max(1e-5, Math.min(this.speed * AHEAD, chunk));
           this.pending = true;
           this.order(() => this.advance(seconds, Math.max(1, Math.round(seconds * this.framesPerSecond))));
         }
