@@ -1,5 +1,6 @@
 # make demo   set up .venv, run the main job, say where its pictures are
 # make test   set up .venv, run the tests
+# make test-page  try the lab's page in a browser; test-page-fast: what of it is quick
 # make test-fast  run the unit tests and closed forms that take less than about a second each, and the command lines
 # make test-kernels  run what leans on linear algebra with another kernel of OpenBLAS than the processor's own
 # make lint   ruff, clang-format, pyright, import-linter
@@ -22,7 +23,7 @@ SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 # Compiled modules are kept, whatever the environment says: each command that a test starts would compile all anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-fast test-kernels lint docs bench bench-peers fuzz sanitize lab lab-check clean always
+.PHONY: demo test test-page test-page-fast test-fast test-kernels lint docs bench bench-peers fuzz sanitize lab lab-check clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
@@ -49,11 +50,18 @@ demo: .venv/installed
 	$(BIN)/python examples/demo.py
 
 test: .venv/installed-test
-	$(PYTEST)
+	$(PYTEST) -m "not browser"
+
+# The lab's page in a browser, which draws three dimensions on the processor: minutes.
+test-page: .venv/installed-test
+	$(PYTEST) -m browser
+
+test-page-fast: .venv/installed-test
+	$(PYTEST) -m "browser and not slow"
 
 # The inner loop: without films, campaigns of processes, and comparisons with other engines and with what is published.
 test-fast: .venv/installed-test
-	$(PYTEST) -m "not slow" tests/unit tests/analytical tests/end_to_end/test_command_lines.py
+	$(PYTEST) -m "not slow and not browser" tests/unit tests/analytical tests/end_to_end/test_command_lines.py
 
 # Any x86-64 processor has Prescott's instructions, and hardly any in use chooses its kernel by itself.
 test-kernels: .venv/installed-test

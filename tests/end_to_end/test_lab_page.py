@@ -15,7 +15,7 @@ from plategait.model.presets import PRESETS, preset
 from plategait.model.scenario_file import read_scenario, write_scenario
 from plategait.units import parse
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.browser
 
 
 @pytest.fixture(scope="module")
@@ -68,6 +68,7 @@ TYPED = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 def test_every_number_is_typed_with_its_unit_and_simulated(lab):
     lab.begin()
     lab.button("Pause").click()
@@ -91,6 +92,7 @@ def test_every_number_is_typed_with_its_unit_and_simulated(lab):
     lab.moves()
 
 
+@pytest.mark.slow
 def test_every_slider_reaches_its_ends_by_keys_and_leaves_a_valid_scenario(lab):
     lab.begin()
     lab.button("Pause").click()
@@ -108,6 +110,7 @@ def test_every_slider_reaches_its_ends_by_keys_and_leaves_a_valid_scenario(lab):
     lab.scenario()
 
 
+@pytest.mark.slow
 def test_numbers_may_be_typed_bare_and_in_other_units(lab):
     lab.begin()
     for name, text, says in (
@@ -135,6 +138,7 @@ REFUSED = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_what_cannot_be_is_refused_beside_the_field_and_changes_nothing(lab):
     lab.begin()
     before = lab.scenario()
@@ -148,6 +152,7 @@ def test_what_cannot_be_is_refused_beside_the_field_and_changes_nothing(lab):
     lab.moves()
 
 
+@pytest.mark.slow
 def test_outlines_waveforms_laws_sines_and_the_plates_end(lab):
     lab.begin()
     outline = lab.page.get_by_label("Outline", exact=True)
@@ -203,6 +208,7 @@ def test_a_preset_lies_there_with_what_is_published_of_it(lab):
 # Time
 
 
+@pytest.mark.slow
 def test_time_is_stopped_stepped_slowed_and_scrubbed(lab):
     lab.until_clock("now > 0.3")
     lab.button("Pause").click()
@@ -235,6 +241,7 @@ def test_time_is_stopped_stepped_slowed_and_scrubbed(lab):
     lab.moves()
 
 
+@pytest.mark.slow
 def test_the_keys_do_what_the_page_says(lab):
     lab.moves()
     lab.page.locator("canvas").first.focus()
@@ -257,6 +264,7 @@ def test_the_keys_do_what_the_page_says(lab):
     assert lab.page.get_by_role("tab", name="Spin curve").get_attribute("aria-selected") == "true"
 
 
+@pytest.mark.slow
 def test_a_kick_moves_the_sheet(lab):
     """On a plate that stands still nothing else does."""
     lab.begin()
@@ -275,6 +283,7 @@ def test_a_kick_moves_the_sheet(lab):
     assert float(lab.page.evaluate(drift).split()[0]) < 4
 
 
+@pytest.mark.slow
 def test_layers_heights_and_viewpoints_change_the_picture(lab):
     lab.tab.until("parseFloat(document.querySelector('.clock').textContent) > 0.5")
     lab.button("Pause").click()
@@ -300,6 +309,7 @@ def test_layers_heights_and_viewpoints_change_the_picture(lab):
 # Compare, undo, share, save, open
 
 
+@pytest.mark.slow
 def test_two_sheets_side_by_side_are_turned_each_by_itself(lab):
     lab.begin()
     lab.button("Compare").click()
@@ -327,6 +337,7 @@ def test_undo_goes_back_change_by_change(lab):
     assert lab.value("motion.frequency") == "24"
 
 
+@pytest.mark.slow
 def test_a_link_holds_the_scenario_and_opens_with_it(lab, new_tab, cheese):
     lab.begin("pancake")
     lab.type("motion.frequency", "9.5")
@@ -356,6 +367,7 @@ SPOILT = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_spoilt_link_is_said_and_changes_nothing(lab, new_tab, cheese):
     lab.moves()
     for fragment in SPOILT:
@@ -410,6 +422,7 @@ def drop(lab: Lab, name: str, text: str) -> None:
     )
 
 
+@pytest.mark.slow
 def test_files_that_the_package_writes_open_as_the_same_scenario(lab):
     for name in PRESETS:
         scenario = preset(name).scenario.replace(**{"motion.frequency": "17 Hz", "start.angle": "10 deg"})
@@ -431,6 +444,7 @@ NO_FILES = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_file_that_is_none_is_refused_and_changes_nothing(lab):
     for name, text, said in NO_FILES:
         drop(lab, name, text)
@@ -443,6 +457,7 @@ def test_a_file_that_is_none_is_refused_and_changes_nothing(lab):
 # Appearance
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "options",
     [
@@ -475,6 +490,7 @@ def test_the_page_is_accessible_at_every_size_and_in_every_light(new_tab, cheese
     lab.tab.check()
 
 
+@pytest.mark.slow
 def test_the_theme_is_chosen_and_the_layout_stays(lab):
     lab.moves()
     paper = "getComputedStyle(document.body).backgroundColor"
@@ -489,6 +505,7 @@ def test_the_theme_is_chosen_and_the_layout_stays(lab):
     assert lab.page.evaluate(places) == tops
 
 
+@pytest.mark.slow
 def test_everything_is_reached_with_the_keyboard_alone(new_tab, cheese):
     lab = Lab(new_tab(offline=True))
     lab.tab.open(cheese)

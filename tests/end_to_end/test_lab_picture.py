@@ -26,7 +26,11 @@ OffscreenCanvas.prototype.getContext = () => null;
 """
 DURATION = 0.2  # s
 
-pytestmark = pytest.mark.skipif(not ESBUILD.exists(), reason="the lab's libraries are not installed: make lab")
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.slow,
+    pytest.mark.skipif(not ESBUILD.exists(), reason="the lab's libraries are not installed: make lab"),
+]
 
 
 @pytest.fixture(scope="module")

@@ -10,6 +10,8 @@ import pytest
 
 from plategait.lab.page import PLACES, SHIPPED, page
 
+pytestmark = pytest.mark.browser
+
 # What a page may do: compile the engine, in the page and in a worker made of its own text.
 MAY = """
 const text = (id) => document.getElementById(id).textContent;
@@ -87,7 +89,7 @@ def test_engine_worker_and_hostile_data_load_from_the_disk(written, new_tab):
     tab = new_tab(offline=True)
     payload = {"kind": "scenario", "name": HOSTILE, HOSTILE: [HOSTILE]}
     tab.open(written(MAY, payload))
-    tab.page.wait_for_function("window.told.worker !== undefined", timeout=5000)
+    tab.until("window.told.worker !== undefined")
     told = tab.page.evaluate("window.told")
     assert told == {"payload": payload, "images": 0, "scripts": 7, "worker": 0, "here": 1}
     assert tab.page.title() == "mine"
@@ -98,7 +100,7 @@ def test_nothing_gets_out_and_no_other_script_runs(written, new_tab):
     tab, answered = new_tab(), []
     tab.page.context.on("requestfinished", lambda request: answered.append(request.url))
     tab.open(written(MAY_NOT, {"kind": "scenario"}))
-    tab.page.wait_for_function("window.told.over", timeout=5000)
+    tab.until("window.told.over")
     told = tab.page.evaluate("window.told")
     assert {name for name, end in told.items() if end == "done"} == set()
     assert len(told) == 13

@@ -10,7 +10,7 @@ import string
 import pytest
 from lab_tab import Lab
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 SETTINGS, BLOBS = 960, 40
 LONGEST = 0.5

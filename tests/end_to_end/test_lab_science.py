@@ -18,7 +18,7 @@ from plategait.model.presets import preset
 from plategait.model.scenario import Scenario
 from plategait.simulation.run import simulate_all
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 CHEESE = preset("cheese").scenario
 # Rates of the two engines differ by roundings that the motion makes larger (tests/agreement/test_lab_engine.py).
