@@ -13,6 +13,12 @@ import plategait as pg
 ROOT = Path(__file__).parents[2]
 PUBLIC = {name: getattr(pg, name) for name in pg.__all__}
 CALLED = {name: thing for name, thing in PUBLIC.items() if inspect.isclass(thing) or inspect.isfunction(thing)}
+# What is physics, or is read off it; the others are files, plans and shapes.
+PHYSICS = (
+    "Contact", "Friction", "Material", "PlateMotion", "Wave", "Plate", "Machine", "Needs", "needs", "Sheet", "simulate",
+    "Simulation", "Session", "spin_curve", "Curve", "LorentzFit", "fit_lorentzian", "estimate_parameters", "Estimate",
+    "next_measurement", "optimize_motion", "atlas", "mjcf", "trajectory",
+)  # fmt: skip
 HEADING = re.compile(r"^(\w[\w ]*)\n-{3,}$", re.M)
 
 
@@ -52,6 +58,14 @@ def test_every_method_says_what_it_does(name):
     own = {n: value for n, value in vars(CALLED[name]).items() if not n.startswith("_") and inspect.isfunction(value)}
     silent = [n for n, value in own.items() if not inspect.getdoc(value)]
     assert silent == []
+
+
+@pytest.mark.parametrize("name", PHYSICS)
+def test_physics_names_its_source(name):
+    text = inspect.getdoc(CALLED[name]) or ""
+    assert re.search(r"\(\d\.\d+\)|[Ss]ections? \d\.\d|Table \d|docs/\w+\.md", text)
+    pages = re.findall(r"docs/\w+\.md", text)
+    assert [page for page in pages if not (ROOT / page).is_file()] == []
 
 
 def test_the_reference_has_every_public_name_once():

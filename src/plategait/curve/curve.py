@@ -25,6 +25,8 @@ RUN_OFF = 3
 class Curve(Shown):
     """Spin rate over plate frequency.
 
+    Source: section 5.3 of the dissertation.
+
     Attributes
     ----------
     name : str

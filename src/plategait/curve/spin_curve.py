@@ -40,6 +40,8 @@ def spin_curve(
 ) -> Curve:
     """Simulate a spin curve and fit it.
 
+    Source: section 5.3 of the dissertation.
+
     Parameters
     ----------
     scenario : Scenario, or what tells one

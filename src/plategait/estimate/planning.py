@@ -98,6 +98,8 @@ def next_measurement(
 ) -> Plan:
     """Choose the next plate frequency and amplitude.
 
+    Source: docs/estimation.md.
+
     Parameters
     ----------
     posterior : Posterior

@@ -56,6 +56,8 @@ LABELS = {
 class Estimate(Shown):
     """Parameters of an object, read off its spin curve.
 
+    Source: docs/estimation.md says how it is made, and how often its intervals hold.
+
     Attributes
     ----------
     posterior : Posterior
@@ -253,6 +255,8 @@ def estimate_parameters(
     progress: Callable[[float], object] | None = None,
 ) -> Estimate:
     """Read an object's natural frequency and friction off its spin curve, with intervals.
+
+    Source: (5.6), (5.7) of the dissertation for the linear method; docs/estimation.md for the posterior.
 
     Parameters
     ----------

@@ -80,6 +80,8 @@ def trajectory(
     smooth a stop back there. Both take the motion's ramp, or longer where the machine asks for it. As a cycle: the
     fewest whole periods that are a whole number of samples.
 
+    Source: docs/export.md.
+
     Parameters
     ----------
     motion : PlateMotion

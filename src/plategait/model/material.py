@@ -23,6 +23,8 @@ USUAL_POISSON_RATIO = 0.3
 class Material(Model):
     """An isotropic, linearly elastic material of small strain.
 
+    Source: plate theory; docs/materials.md has each law.
+
     Examples
     --------
     >>> silicone = Material(young_modulus="0.5 MPa", density="1100 kg/m^3", poisson_ratio=0.5)

@@ -29,7 +29,10 @@ SHORTEST_RAMP = 1e-12
 
 
 class Wave(Model):
-    """One sine on one degree of freedom: amplitude · sin(2π · ratio · f · t + phase)."""
+    """One sine on one degree of freedom: amplitude · sin(2π · ratio · f · t + phase).
+
+    Source: (4.1), (4.2) of the dissertation are two of them in phase.
+    """
 
     axis: Axis = Field(
         description="x (along the bar), y, z, or a rotation rx (about the bar), ry, rz", examples=['"z"']

@@ -30,6 +30,8 @@ WHAT = ("position", "speed", "acceleration", "jerk", "load")
 class Needs(Shown):
     """What a motion needs.
 
+    Source: the loads of section 2.2.1 of the dissertation.
+
     Attributes
     ----------
     peaks : (5, 6) array
@@ -49,6 +51,8 @@ class Needs(Shown):
 
 def needs(motion: PlateMotion, machine: Machine, *, start: bool = True) -> Needs:
     """What a motion needs of a machine.
+
+    Source: the loads of section 2.2.1 of the dissertation.
 
     Parameters
     ----------

@@ -31,7 +31,10 @@ class Start(Model):
 
 
 class Plate(Model):
-    """Size of the plate; the source takes it as large enough never to drop the object."""
+    """Size of the plate; the source takes it as large enough never to drop the object.
+
+    Source: what its edge was held against is in docs/numerics.md; the dissertation's plate has none.
+    """
 
     length: Length = Field(default=0.1, description="along the bar")
     width: Length = Field(default=0.1, description="across the bar")

@@ -141,6 +141,8 @@ def atlas(
     Quality-diversity search (MAP-Elites: Mouret and Clune 2015) with the iso+line variation of Vassiliades and Mouret
     2018, over the engine's batches.
 
+    Source: docs/moves.md says how it searches, and what was measured.
+
     Parameters
     ----------
     scenario : Scenario, or what tells one

@@ -60,6 +60,8 @@ def optimize_motion(
 ) -> Optimum:
     """Find the motion that does best with an object on a machine.
 
+    Source: docs/optimize.md says how it searches, and what was measured.
+
     Parameters
     ----------
     scenario : Scenario, or what tells one

@@ -34,6 +34,8 @@ def _in_people_units(covariance: Array) -> list[list[float | None]] | None:
 class Simulation(Shown):
     """One scenario, run once or as an ensemble of slightly different starts.
 
+    Source: spin rate, gaits and failure of section 4.3 of the dissertation.
+
     Attributes
     ----------
     scenario : Scenario

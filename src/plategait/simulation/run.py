@@ -71,6 +71,8 @@ def starts(repeats: int, seed: int) -> list[tuple[float, float, float]]:
 def simulate(scenario: Scenario | Preset | Path | str, **options: Unpack[RunOptions]) -> Simulation:
     """Run one scenario, once or as an ensemble of slightly different starts.
 
+    Source: joints, contact and friction of section 3.2 of the dissertation; the scheme is in docs/numerics.md.
+
     Parameters
     ----------
     scenario : Scenario, or what tells one

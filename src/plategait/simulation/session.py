@@ -43,6 +43,8 @@ class Session:
     The results are the same bits however a way is cut into pieces, for any number of threads and in any company; and
     those of `simulate`, which is a session advanced once.
 
+    Source: the laws are those of `simulate`; how motions are joined is in docs/sessions.md.
+
     Parameters
     ----------
     scenarios : sequence of Scenario, or of what tells one

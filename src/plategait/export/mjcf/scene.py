@@ -26,6 +26,8 @@ FORMS: tuple[Form, ...] = get_args(Form)
 def mjcf(scenario: Scenario, form: Form = "nodes", time_step: float | None = None) -> str:
     """MJCF of a scenario, for MuJoCo 4.
 
+    Source: docs/export.md says how near the scene is to this package's own runs.
+
     Parameters
     ----------
     scenario : Scenario
