@@ -65,6 +65,11 @@ def test_a_result_draws_itself(simulation, curve):
         assert result.plot().axes
 
 
+def test_a_notebook_shows_a_figure_without_pyplot(curve):
+    # Its own formatter is there only once pyplot was imported.
+    assert curve.plot()._repr_png_().startswith(b"\x89PNG")
+
+
 def test_what_nobody_draws_says_so(simulation):
     with pytest.raises(AttributeError, match="Recording has no picture"):
         simulation.recordings[0].plot()

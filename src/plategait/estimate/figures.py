@@ -15,7 +15,7 @@ from plategait.estimate.observations import Condition
 from plategait.estimate.prediction import Prediction, predict
 from plategait.estimate.readings import Readings
 from plategait.estimate.result import Estimate
-from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes
+from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes, new_figure
 from plategait.simulation.ensemble import fails
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction] | None =
     d = len(estimate.marginals)
     readings = estimate.posterior.data.readings
     columns = max(len(predictions), d, 2)
-    figure = Figure(figsize=(3.3 * columns, 6.6 + 3.0 * len(readings)), layout="constrained")
+    figure = new_figure(3.3 * columns, 6.6 + 3.0 * len(readings))
     grid = figure.add_gridspec(2 + len(readings), columns, height_ratios=[1.25, *(1.0 for _ in readings), 1])
     share = columns // len(predictions)
     for i, prediction in enumerate(predictions):

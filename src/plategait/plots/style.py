@@ -40,9 +40,19 @@ def save(figure: Figure, path: Path | str) -> None:
     write_whole(content.getbuffer(), path, PICTURES, "plot")
 
 
+class ShownFigure(Figure):
+    """A figure that a notebook shows by itself, whether or not anybody there has imported pyplot."""
+
+    def _repr_png_(self) -> bytes:
+        """The picture, as a notebook asks for it."""
+        picture = io.BytesIO()
+        self.savefig(picture, format="png", dpi=100)
+        return picture.getvalue()
+
+
 def new_figure(width: float, height: float) -> Figure:
     """Empty figure of a size in inches."""
-    return Figure(figsize=(width, height), layout="constrained")
+    return ShownFigure(figsize=(width, height), layout="constrained")
 
 
 def label_axes(axes: Axes, x: str, y: str) -> None:

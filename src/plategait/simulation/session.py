@@ -41,9 +41,7 @@ class Session:
     so that a changed amplitude keeps the phase; a new sampled trajectory begins when it is given.
 
     The results are the same bits however a way is cut into pieces, for any number of threads and in any company; and
-    those of `simulate`, which is a session advanced once.
-
-    Source: the laws are those of `simulate`; how motions are joined is in docs/sessions.md.
+    those of `simulate`, which is a session advanced once. How motions are joined is in docs/sessions.md.
 
     Parameters
     ----------

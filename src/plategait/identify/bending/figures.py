@@ -11,12 +11,12 @@ from matplotlib.figure import Figure
 from plategait.identify.bending.result import PER_DEGREE, BendingResult
 from plategait.identify.fit import if_determined
 from plategait.model.measured import as_text
-from plategait.plots.style import BLUE, GREY
+from plategait.plots.style import BLUE, GREY, new_figure
 
 
 def plot_bending(result: BendingResult) -> Figure:
     """Angle φ2 over time with its reconstruction, as in Fig. 3.7, and what the reconstruction misses."""
-    figure = Figure(figsize=(6.4, 5.2), layout="constrained")
+    figure = new_figure(6.4, 5.2)
     panels: Any = figure.subplots(2, 1, sharex=True, height_ratios=(3, 1))
     measured, fitted = np.degrees(result.phi_2), np.degrees(result.reconstruction)
     panels[0].plot(result.time, measured, ".", color=BLUE, ms=4, label="recorded")

@@ -7,12 +7,12 @@ from matplotlib.figure import Figure
 from plategait.identify.compression.result import CompressionResult
 from plategait.identify.fit import if_determined
 from plategait.model.measured import as_text
-from plategait.plots.style import BLUE, ORANGE
+from plategait.plots.style import BLUE, ORANGE, new_figure
 
 
 def plot_compression(result: CompressionResult) -> Figure:
     """Displacement and force over time, with the reconstructed force, as in Fig. 3.9."""
-    figure = Figure(figsize=(6.4, 4.6), layout="constrained")
+    figure = new_figure(6.4, 4.6)
     axes = figure.add_subplot()
     other = axes.twinx()
     time = 1e3 * result.time

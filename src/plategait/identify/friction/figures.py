@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED
+from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +21,7 @@ _BEFORE = 0.5  # s of rest shown before a slide
 
 def plot_tilt(result: FrictionResult) -> Figure:
     """Position of the object over the angle of the plate, and over the time since it slipped, with the fits."""
-    figure = Figure(figsize=(9.6, 4.2), layout="constrained")
+    figure = new_figure(9.6, 4.2)
     panels: Any = figure.subplots(1, 2)
     for i, trial in enumerate(result.trials):
         colour = _COLOURS[i % len(_COLOURS)]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from plategait.plots.style import BLUE, GREY, RED
+from plategait.plots.style import BLUE, GREY, RED, new_figure
 
 if TYPE_CHECKING:
     from plategait.identify.modes.result import RingResult
@@ -18,7 +18,7 @@ _SHOWN = {"deflection": (1e3, "deflection (mm)"), "angle": (math.degrees(1), "an
 
 def plot_ring(result: RingResult) -> Figure:
     """Signal with the fit, what the fit leaves, and the spectra of both."""
-    figure = Figure(figsize=(9.6, 4.8), layout="constrained")
+    figure = new_figure(9.6, 4.8)
     grid = figure.add_gridspec(2, 2, width_ratios=(3, 2), height_ratios=(3, 1))
     above: Any = figure.add_subplot(grid[0, 0])
     below: Any = figure.add_subplot(grid[1, 0], sharex=above)
