@@ -254,9 +254,7 @@ def estimate_parameters(
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Estimate:
-    """Read an object's natural frequency and friction off its spin curve, with intervals.
-
-    Source: (5.6), (5.7) of the dissertation for the linear method; docs/estimation.md for the posterior.
+    """Read an object's natural frequency and friction off its spin curve: (5.6), (5.7) or docs/estimation.md.
 
     Parameters
     ----------

@@ -58,9 +58,7 @@ def optimize_motion(
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Optimum:
-    """Find the motion that does best with an object on a machine.
-
-    Source: docs/optimize.md says how it searches, and what was measured.
+    """Find the motion that does best with an object on a machine (how: docs/optimize.md).
 
     Parameters
     ----------
