@@ -5,14 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from lab_scripts import NODE, asked
+from lab_scripts import NODE, SCRIPTS, asked
 from lab_sheets import plain, random_groups
 
 import plategait as pg
 from plategait.lab.facts import facts
 from plategait.model.presets import PRESETS
 
-pytestmark = pytest.mark.skipif(NODE is None, reason="node is not installed")
+LIBRARIES = SCRIPTS.parents[1] / "node_modules"
+pytestmark = pytest.mark.skipif(
+    NODE is None or not LIBRARIES.exists(), reason="node or the page's libraries are not installed: npm ci in lab/"
+)
 
 FILES = {
     '[sheet]\nmass = "13 g"\n': "sheet.outline.shape",

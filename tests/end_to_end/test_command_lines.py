@@ -99,7 +99,7 @@ LINES = [
     ("simulat cheese", "simulat … simulate … try plategait --help"),
     ("simulate wobble.toml", "motion.wobble … one of frequency … try leaving it out"),
     ("simulate --freq 24", "--freq … --frequency … try plategait simulate --help"),
-    ("simulate --mass 3", "--mass … try plategait simulate --help"),
+    ("simulate --weight 3", "--weight … try plategait simulate --help"),
     ("modes --angle 3", "--angle … try plategait modes --help"),
     ("identify foo", "foo … try plategait identify --help"),
     ("identify", "try plategait identify --help"),
