@@ -16,7 +16,7 @@ release = version = importlib.metadata.version("plategait")
 
 extensions = [
     "myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "numpydoc", "sphinx_gallery.gen_gallery",
-    "reference_pages", "outward_links",
+    "reference_pages", "live_page", "outward_links",
 ]  # fmt: skip
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 exclude_patterns = ["gallery/*.ipynb", "gallery/*.py", "gallery/*.zip"]

@@ -12,6 +12,8 @@ from pathlib import Path
 import matplotlib as mpl
 import pytest
 
+from plategait.simulation import registry
+
 ROOT = Path(__file__).parents[2]
 PAGES = [page for folder in ("tutorials", "howto") for page in sorted((ROOT / "docs" / folder).glob("*.md"))]
 BLOCK = re.compile(r"^```(\w+)[ \t]*([^\n`]*)\n(.*?)^```$", re.M | re.S)
@@ -37,6 +39,12 @@ def typed(text: str) -> list[list[str]]:
 
 def execute(source: str, names: dict[str, object], name: str) -> None:
     exec(compile(source, name, "exec"), names)
+
+
+@pytest.fixture(autouse=True)
+def nothing_added(monkeypatch):
+    """An observable that a page adds is gone with it."""
+    monkeypatch.setattr(registry, "_added", {})
 
 
 @pytest.fixture(autouse=True)

@@ -3,6 +3,7 @@ import { Frames, Samples } from "./history.js";
 import { wayTo } from "./change.js";
 
 const PICTURES = 60; // a second at most
+const MANY_NODES_PICTURES = 16; // a second, of a sheet of many nodes
 const AHEAD = 0.15; // s of wall time that are kept ready
 const A_PERIOD = 8; // frames that a plate period leaves to scrub through, of a sheet of few nodes
 const FEW_NODES = 200;
@@ -140,7 +141,9 @@ export class Live {
   /** Frames of a simulated second: those that are shown, and for few nodes more, to scrub through. */
   get framesPerSecond() {
     const few = (this.frames.last?.nodes.length ?? 0) <= 3 * FEW_NODES;
-    return Math.max(PICTURES / this.possible, few ? A_PERIOD * this.scenario.motion.frequency : 0);
+    // Of many nodes each picture costs as much as many steps: where all time went into pictures, no step would be taken.
+    if (!few) return MANY_NODES_PICTURES / this.possible;
+    return Math.max(PICTURES / this.possible, A_PERIOD * this.scenario.motion.frequency);
   }
 
   get frame() {

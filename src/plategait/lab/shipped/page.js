@@ -1605,6 +1605,7 @@
 
   // src/app/live.js
   var PICTURES = 60;
+  var MANY_NODES_PICTURES = 16;
   var AHEAD = 0.15;
   var A_PERIOD = 8;
   var FEW_NODES = 200;
@@ -1728,7 +1729,8 @@
     /** Frames of a simulated second: those that are shown, and for few nodes more, to scrub through. */
     get framesPerSecond() {
       const few = (this.frames.last?.nodes.length ?? 0) <= 3 * FEW_NODES;
-      return Math.max(PICTURES / this.possible, few ? A_PERIOD * this.scenario.motion.frequency : 0);
+      if (!few) return MANY_NODES_PICTURES / this.possible;
+      return Math.max(PICTURES / this.possible, A_PERIOD * this.scenario.motion.frequency);
     }
     get frame() {
       return this.frames.list[this.frames.indexAt(this.clock)] ?? null;
