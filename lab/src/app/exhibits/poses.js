@@ -1,6 +1,7 @@
 // Poses that a film was read for, beside the sheet of the estimated object.
 import { button, make } from "../elements.js";
 import { timeSeries } from "../../charts/series.js";
+import { unwrap } from "../../simulation/samples.js";
 import { wholeRows } from "./series.js";
 
 export function posesBeside(element, desk, scenes) {
@@ -16,7 +17,7 @@ export function posesBeside(element, desk, scenes) {
     desk.restart();
     draw();
   };
-  const draw = () => plot.update({ time: poses.time, values: [unwrapped(poses.angle).map((value) => value / DEG)] });
+  const draw = () => plot.update({ time: poses.time, values: [unwrap(poses.angle).map((value) => value / DEG)] });
   desk.on("poses", show);
   desk.on("drawn", () => {
     const { live } = desk.seats[0];
@@ -35,15 +36,6 @@ function checked(given) {
 }
 
 const DEG = Math.PI / 180;
-
-/** Angles without their jumps of a whole turn. */
-export function unwrapped(angles) {
-  let turns = 0;
-  return angles.map((angle, k) => {
-    if (k > 0) turns -= Math.round((angle - angles[k - 1]) / (2 * Math.PI));
-    return angle + 2 * Math.PI * turns;
-  });
-}
 
 /** Pose at a time, between those that were tracked. */
 export function poseAt({ time, x, y, angle }, now) {

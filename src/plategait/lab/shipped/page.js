@@ -3212,6 +3212,47 @@ ${codeblock}`, options);
     };
   };
 
+  // src/simulation/samples.js
+  var interpolate = (x, time, values) => {
+    const n = time.length;
+    if (x <= time[0]) return values[0];
+    if (x >= time[n - 1]) return values[n - 1];
+    let low = 0;
+    let high = n - 1;
+    while (high - low > 1) {
+      const middle = low + high >> 1;
+      if (time[middle] <= x) low = middle;
+      else high = middle;
+    }
+    if (x === time[low]) return values[low];
+    return values[low] + (values[high] - values[low]) / (time[high] - time[low]) * (x - time[low]);
+  };
+  var unwrap = (angles) => {
+    const out = Float64Array.from(angles);
+    const turn = 2 * Math.PI;
+    let added = 0;
+    for (let i = 1; i < out.length; i++) {
+      const step = angles[i] - angles[i - 1];
+      if (!(Math.abs(step) < Math.PI)) {
+        let wrapped = ((step + Math.PI) % turn + turn) % turn - Math.PI;
+        if (wrapped === -Math.PI && step > 0) wrapped = Math.PI;
+        added += wrapped - step;
+      }
+      out[i] = angles[i] + added;
+    }
+    return out;
+  };
+  var mean = (values) => values.reduce((sum2, value) => sum2 + value, 0) / values.length;
+  var median = (values) => {
+    if (!values.length) return NaN;
+    const sorted2 = Float64Array.from(values).sort();
+    const half = sorted2.length >> 1;
+    return sorted2.length % 2 ? sorted2[half] : (sorted2[half - 1] + sorted2[half]) / 2;
+  };
+  var placeOfLargest = (values) => values.reduce((best, value, i) => value > values[best] ? i : best, 0);
+  var student95 = (freedom) => freedom < STUDENT_95.length ? STUDENT_95[freedom] : 1.95996 + 2.37227 / freedom + 2.8225 / freedom ** 2;
+  var STUDENT_95 = [Infinity, 12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462];
+
   // src/app/exhibits/poses.js
   function posesBeside(element2, desk, scenes) {
     let poses = checked(desk.payload);
@@ -3229,7 +3270,7 @@ ${codeblock}`, options);
       desk.restart();
       draw();
     };
-    const draw = () => plot.update({ time: poses.time, values: [unwrapped(poses.angle).map((value) => value / DEG4)] });
+    const draw = () => plot.update({ time: poses.time, values: [unwrap(poses.angle).map((value) => value / DEG4)] });
     desk.on("poses", show);
     desk.on("drawn", () => {
       const { live } = desk.seats[0];
@@ -3246,13 +3287,6 @@ ${codeblock}`, options);
     return poses;
   }
   var DEG4 = Math.PI / 180;
-  function unwrapped(angles) {
-    let turns2 = 0;
-    return angles.map((angle, k) => {
-      if (k > 0) turns2 -= Math.round((angle - angles[k - 1]) / (2 * Math.PI));
-      return angle + 2 * Math.PI * turns2;
-    });
-  }
   function poseAt({ time, x, y, angle }, now) {
     let after = time.findIndex((each) => each > now);
     if (after < 0) after = time.length - 1;
@@ -3301,47 +3335,6 @@ ${codeblock}`, options);
       return frame;
     }
   };
-
-  // src/simulation/samples.js
-  var interpolate = (x, time, values) => {
-    const n = time.length;
-    if (x <= time[0]) return values[0];
-    if (x >= time[n - 1]) return values[n - 1];
-    let low = 0;
-    let high = n - 1;
-    while (high - low > 1) {
-      const middle = low + high >> 1;
-      if (time[middle] <= x) low = middle;
-      else high = middle;
-    }
-    if (x === time[low]) return values[low];
-    return values[low] + (values[high] - values[low]) / (time[high] - time[low]) * (x - time[low]);
-  };
-  var unwrap = (angles) => {
-    const out = Float64Array.from(angles);
-    const turn = 2 * Math.PI;
-    let added = 0;
-    for (let i = 1; i < out.length; i++) {
-      const step = angles[i] - angles[i - 1];
-      if (!(Math.abs(step) < Math.PI)) {
-        let wrapped = ((step + Math.PI) % turn + turn) % turn - Math.PI;
-        if (wrapped === -Math.PI && step > 0) wrapped = Math.PI;
-        added += wrapped - step;
-      }
-      out[i] = angles[i] + added;
-    }
-    return out;
-  };
-  var mean = (values) => values.reduce((sum2, value) => sum2 + value, 0) / values.length;
-  var median = (values) => {
-    if (!values.length) return NaN;
-    const sorted2 = Float64Array.from(values).sort();
-    const half = sorted2.length >> 1;
-    return sorted2.length % 2 ? sorted2[half] : (sorted2[half - 1] + sorted2[half]) / 2;
-  };
-  var placeOfLargest = (values) => values.reduce((best, value, i) => value > values[best] ? i : best, 0);
-  var student95 = (freedom) => freedom < STUDENT_95.length ? STUDENT_95[freedom] : 1.95996 + 2.37227 / freedom + 2.8225 / freedom ** 2;
-  var STUDENT_95 = [Infinity, 12.7062, 4.30265, 3.18245, 2.77645, 2.57058, 2.44691, 2.36462];
 
   // src/simulation/observables.js
   var GAITS = ["sliding", "walking", "running"];
