@@ -337,6 +337,10 @@ def _looked_up(table: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     return table[(v * n).astype(np.int32) & (n - 1), (u * n).astype(np.int32) & (n - 1)]
 
 
+# A tree of macroblocks, x264's default, changes the file's bits from run to run, and so does the number of cores.
+OPTIONS = {"crf": "20", "preset": "veryfast", "threads": "2", "x264-params": "mbtree=0"}
+
+
 def shot(
     film: Film, path: Path, turned: bool = False, change: Callable[[np.ndarray], np.ndarray] | None = None
 ) -> Path:
@@ -353,7 +357,7 @@ def shot(
         stream = container.add_stream("libx264", rate=Fraction(film.fps).limit_denominator(1001))
         width, height = film.size
         stream.width, stream.height = (height, width) if turned else (width, height)
-        stream.pix_fmt, stream.options = "yuv420p", {"crf": "20", "preset": "veryfast"}
+        stream.pix_fmt, stream.options = "yuv420p", dict(OPTIONS)
         stream.codec_context.time_base = Fraction(1, 90000)
         for picture, time in zip(Caster(film).pictures(), film.time, strict=True):
             picture = picture if change is None else change(picture)

@@ -46,8 +46,7 @@ HAND = Film(plate="wood", hand=(0.0, 0.8), rate=200.0)
 FILMS = [
     pytest.param(LIFTED, id="markers that lift, steel"),
     pytest.param(THICK, id="thick, dark"),
-    # Refused in some runs for "more than one object", though film and code are the same: its cause is not found yet.
-    pytest.param(PIZZA, id="toppings, wood", marks=pytest.mark.xfail(raises=InputError, strict=False)),
+    pytest.param(PIZZA, id="toppings, wood"),
     pytest.param(OVAL, id="oval, held by hand"),
     pytest.param(HAND, id="a hand at first"),
 ]

@@ -71,8 +71,8 @@ class Findings:
         Of a rim that lifts as a parabola: its curvature along the radius, all around.
         """
         lift, sd = self.rim_lift
-        angle = math.nan if self.form is None else _bending(self.form)
-        return angle, angle * math.hypot(sd / lift, SHAPE_SHARE) if lift > 0 else math.nan
+        bent = math.nan if self.form is None else _bending(self.form)
+        return bent * lift, bent * math.hypot(sd, SHAPE_SHARE * lift)
 
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`."""
@@ -99,11 +99,11 @@ def _told(name: str, unit: str, known: tuple[float, float], scale: float, least:
 
 
 def _bending(form: Form) -> float:
-    """Largest rms angle of joints, rad, at any phase of the swing: of parabolas through the rim all around."""
+    """Largest rms angle of joints at any phase of the swing, rad a m of lift: of parabolas through the rim all around."""
     if not form.lift.size:
         return math.nan
     height = form.lift - form.lift.min(axis=0)
-    curvature = 2 * height / form.radius**2
+    curvature = 2 * height / height.max() / form.radius**2
     return float(np.sqrt(np.mean(curvature**2, axis=1)).max()) * LINK * form.radius
 
 

@@ -22,7 +22,8 @@ OUTLINE, AROUND, SWINGS = 8, 3, 2
 USUAL_SHAPE, USUAL_LIFT, USUAL_THICKNESS = 0.15, 0.15, (0.06, 0.08)
 # Frames that a fit uses, and the fewest.
 MOST_FRAMES, FEWEST_FRAMES = 240, 12
-ROUNDS, HUBER = 8, 4.0
+# Residuals that count less, and those that count for nothing, as of a hand's edge, over the usual ones.
+ROUNDS, HUBER, GROSS = 8, 4.0, 10.0
 # Steps of the unknowns, in their standard deviations were all others known, that end the rounds.
 SETTLED = 0.02
 # Neighbouring rays and frames err alike: so many count as one.
@@ -195,7 +196,8 @@ def _solve(model: _Model, rims: Array, mean: Array, sd: Array) -> Array:
         model.unknowns = model.unknowns + step
         if (np.abs(step) < SETTLED / np.sqrt(np.diag(normal))).all():
             break
-        weight = seen * np.minimum(1.0, HUBER * noise / np.maximum(np.abs(residual), 1e-9))
+        off = np.abs(residual) / noise
+        weight = seen * (off < GROSS) * np.minimum(1.0, HUBER / np.maximum(off, 1e-9))
     return np.asarray(np.linalg.inv(normal), dtype=float)
 
 
@@ -225,6 +227,8 @@ def _form(model: _Model, covariance: Array, pixel: float, unknown: str) -> Form:
     shade = LIFT_PIXELS * pixel / _slant(model.seen, model.eye)
     thick = LIFT_THICKNESS * max(model.thickness, USUAL_THICKNESS[0] * radius)
     sd = math.sqrt(scatter**2 + shade**2 + thick**2 + (LIFT_SHARE * lift) ** 2)
+    # The greatest of many heights with errors is too great: a flat sheet seems to lift by about as much as they are.
+    lift = math.sqrt(max(lift**2 - scatter**2 - shade**2 - thick**2, 0.0))
     shorter = BENT * 2 * lift**2 / (3 * radius)
     radius_sd = math.hypot(radius_sd, shorter)
     return Form(outline, radius, radius_sd, model.thickness, model.place(), heights[0], lift, sd, unknown)

@@ -236,10 +236,20 @@ class MarkerTracker:
     def _reach(self) -> float:
         return MOST_MOVE + 2e-3 * min(self._lost, 30)
 
+    def alike(self, patch: Picture, grid: Grid, mask: Picture) -> Array:
+        """(n, 2) where something in a warped picture has the colour and the area of one of the markers, m."""
+        spots = [
+            b.middle for b in self._blobs(patch, grid, mask) if any(_within(b.area / a, SURE_AREA) for a in self.usual)
+        ]
+        return np.array(spots).reshape(-1, 2)
+
+    def _blobs(self, patch: Picture, grid: Grid, mask: Picture) -> list[Blob]:
+        likeness = self.appearance.likeness(patch) * mask
+        return blobs_in((likeness > FULL_LIKENESS // 2).astype(np.uint8), grid, likeness)
+
     def find(self, patch: Picture, grid: Grid, mask: Picture) -> Pose:
         """Pose in a warped picture, among what the mask allows."""
-        likeness = self.appearance.likeness(patch) * mask
-        blobs = blobs_in((likeness > FULL_LIKENESS // 2).astype(np.uint8), grid, likeness)
+        blobs = self._blobs(patch, grid, mask)
         reach = self._reach
         area, rim_area = self.usual
         centres = [b for b in blobs if _within(b.area / area, (0.4, 1.9)) and self._off(b) < reach]

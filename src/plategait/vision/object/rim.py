@@ -218,6 +218,25 @@ def marks_fit(patches: list[Picture], poses: list[Pose], grid: Grid, allowed: Pi
     return not off or (float(np.median(off)) < MOST_OFF and float(np.median(along)) > LEAST_ALONG)
 
 
+def spots_on_it(patches: list[Picture], poses: list[Pose], spots: list[Array], grid: Grid, allowed: Picture) -> float:
+    """How many spots lie on the object that two marks are on: the median over pictures, 0 where it stands out in none.
+
+    Parameters
+    ----------
+    patches : list of (rows, columns, 3) arrays
+        The plate from above.
+    poses : list of Pose
+        Of the marks in them.
+    spots : list of (n, 2) arrays
+        Where something in each looks like them, m.
+    """
+    counts = []
+    for patch, pose, places in zip(patches, poses, spots, strict=True):
+        parts = parts_at(np.array([pose.x, pose.y]), standing_out(patch, grid, allowed), grid)
+        counts += [sum(bool(parts_at(place, parts[:1], grid)) for place in places)] if parts else []
+    return float(np.median(counts)) if counts else 0.0
+
+
 def parts_at(place: Array, parts: list[Picture], grid: Grid) -> list[Picture]:
     """Of parts of a picture, those at a place, m."""
     column, row = np.round(grid.pixels(place)).astype(int)

@@ -9,13 +9,16 @@ import numpy as np
 from plategait.arrays import Array, Picture
 from plategait.vision.object.markers import MarkerTracker, as_tracked, learn_markers
 from plategait.vision.object.pose import Pose, middle_of
-from plategait.vision.object.rim import RAYS, find_rim, learn_rim, marks_fit
+from plategait.vision.object.rim import RAYS, find_rim, learn_rim, marks_fit, spots_on_it
 from plategait.vision.object.texture import TextureTracker, learn_object
 from plategait.vision.plate.rectified import Grid
 
 # Share of the pictures in which what was learnt as markers must be found again.
 LEAST_FOLLOWED = 0.3
+# Spots that look like markers on an object that has two: a stain is none, toppings are many.
+MOST_SPOTS = 3.5
 NO_MARKERS = "two spots of one colour are no markers: they are not in the object's middle and near its rim"
+MANY_SPOTS = "spots of one colour are no markers: there are more than two of them on the object"
 
 
 class ObjectTracker:
@@ -76,9 +79,13 @@ class ObjectTracker:
         sure = [k for k, pose in enumerate(poses) if not pose.reason]
         if len(sure) < LEAST_FOLLOWED * len(patches):
             return False
-        if not (told or marks_fit([patches[k] for k in sure], [poses[k] for k in sure], self.grid, self.allowed)):
-            self.notes.append(NO_MARKERS)
-            return False
+        if not told:
+            shown, places = [patches[k] for k in sure], [poses[k] for k in sure]
+            spots = [tracker.alike(patch, self.grid, self.allowed) for patch in shown]
+            fits = marks_fit(shown, places, self.grid, self.allowed)
+            if not fits or spots_on_it(shown, places, spots, self.grid, self.allowed) > MOST_SPOTS:
+                self.notes.append(MANY_SPOTS if fits else NO_MARKERS)
+                return False
         self._learn_rim(patches, poses)
         self.markers, self.others = MarkerTracker(markers), markers.others
         return True
