@@ -23,6 +23,8 @@ from plategait.cli.command import Command
 from plategait.identify import examples
 
 Typed = tuple[str, ...]
+# Commands that are made from the catalogue; a name that it has and this list has not is found out.
+QUESTIONS = ("torsion",)
 
 
 @dataclass(frozen=True)
@@ -196,6 +198,7 @@ MODES = [
     Mode(("thesis", "fig2.6"), typed(out="report", json="")),
     Mode(("study", "source"),
          typed(out="other", seeds="2", evaluations="40", generations="3", dask="host:1", json="")),
+    *(Mode(("study", name), typed(out="other", json="")) for name in ("all", *QUESTIONS)),
     Mode(("track", "clip.mp4"), TRACK),
     Mode(("track", "clip.mp4", "--plate", "outline"), but(TRACK, "--fiducial", "--scale", "--plate")),
     Mode(("track", "clip.mp4", "--plate", "fiducials"), but(TRACK, "--scale", "--plate")),
@@ -356,6 +359,7 @@ def answers(files) -> dict[str, object]:
     from plategait.optimize.search import Effort, Generations
     from plategait.render.clip.clip import film, usual_camera
     from plategait.simulation.run import simulate
+    from plategait.study.claims import Answer, Claim, Number
     from plategait.study.evaluation import Evaluation
     from plategait.study.inference import Step
     from plategait.study.search import Learnt
@@ -400,6 +404,9 @@ def answers(files) -> dict[str, object]:
         "plategait.control.steer.steer": [way],
         "plategait.control.follow.follow": followed,
         "plategait.thesis.reproduce": Study((), 0.0, 0.0, 1, 0),
+        "plategait.study.answers.answer_questions": [
+            Answer("torsion", "Does it?", "It does.", (Claim("it does", True, Number(1.0)),), (), ())
+        ],
         "plategait.study.source.study_source": SourceStudy(
             learnt=Learnt(Evaluation((Choice({}),), np.ones((1, 3, 44, 3)), np.ones(1), np.zeros((1, 5))), ()),
             steps=(Step((), "thesis", np.zeros(len(UNKNOWNS)), 1.0),),

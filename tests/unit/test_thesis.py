@@ -14,8 +14,9 @@ from plategait.published import Number
 from plategait.thesis.cases import VARIANTS, Case, damping_variant, fitted_cases, reference_cases
 from plategait.thesis.item import Check, Comparison, verdict
 from plategait.thesis.items.friction import best_friction
+from plategait.thesis.page import prepare_folder
 from plategait.thesis.regressions import regress, two_sided_p
-from plategait.thesis.report import prepare_folder, write_report
+from plategait.thesis.report import write_report
 from plategait.thesis.runs import run_cases
 from plategait.thesis.study import NAMES, reproduce
 

@@ -11,17 +11,71 @@ import typer
 from plategait.cli import options, report
 from plategait.cli.command import Command
 from plategait.files.output import write_whole
+from plategait.study.catalogue import QUESTIONS, Question
 from plategait.study.defaults import FIRST, GENERATIONS, SEEDS
 
 if TYPE_CHECKING:
     from plategait.study.source import SourceStudy
 
+FOLDER = Path("studies")
+Out = Annotated[Path, typer.Option("--out", help="Folder for report.html, its figures, tables and JSON, and the runs.")]
+
 study = typer.Typer(help="Studies: what the dissertation leaves open, answered with numbers and their uncertainty.")
 
 
-@study.callback()
-def _studies() -> None:
-    """Studies: what the dissertation leaves open, answered with numbers and their uncertainty."""
+@study.callback(invoke_without_command=True)
+def _studies(context: typer.Context) -> None:
+    """Studies: what the dissertation leaves open, answered with numbers and their uncertainty.
+
+    By itself it is `plategait study all`.
+    """
+    if context.invoked_subcommand is None:
+        _answered((), FOLDER, False)
+
+
+@study.command("all", cls=Command)
+def all_of_them(out: Out = FOLDER, as_json: options.Json = False) -> None:
+    """Answer every question but `source`, which searches for long, in one report.
+
+    Interrupted, the same command goes on where it was, and gives the same numbers.
+    """
+    _answered((), out, as_json)
+
+
+def _add_question(question: Question) -> None:
+    """Make a command of a question."""
+
+    def answer(out: Out = FOLDER, as_json: options.Json = False) -> None:
+        _answered((question.name,), out, as_json)
+
+    text = f"{question.asks}\n\nInterrupted, the same command goes on where it was, and gives the same numbers."
+    study.command(question.name, cls=Command, help=text)(answer)
+
+
+for _question in QUESTIONS:
+    _add_question(_question)
+
+
+def _answered(names: tuple[str, ...], out: Path, as_json: bool) -> None:
+    """Answer questions, write their report and print what they say; one by its name prints one JSON object."""
+    from plategait.study import answers
+    from plategait.study.report import claims_table, write_answers
+    from plategait.thesis.page import prepare_folder
+
+    prepare_folder(out, str(FOLDER))
+    with report.progress_bar("answering") as progress, report.going_on_in(out):
+        found = answers.answer_questions(names, out / "runs", progress)
+    page = write_answers(found, out)
+    if as_json:
+        summaries = [answer.summary() for answer in found]
+        report.print_json(summaries[0] if names else {"studies": summaries})
+        return
+    for answer in found:
+        table = claims_table(answer)
+        rows = [[str(cell) for cell in row[:7]] for row in table.rows]
+        report.print_table(f"{answer.name}: {answer.question}", list(table.columns[:7]), rows)
+        print(answer.verdict + "\n")
+    print(f"report: {page}")
 
 
 @study.command(cls=Command)
@@ -42,7 +96,7 @@ def source(
     from plategait.plots.style import save
     from plategait.study import figures
     from plategait.study.source import study_source
-    from plategait.thesis.report import prepare_folder
+    from plategait.thesis.page import prepare_folder
 
     prepare_folder(out, "source")
     with report.progress_bar("searching") as progress:

@@ -26,7 +26,8 @@ def thesis(
 ) -> None:
     """Regenerate the dissertation's simulated figures and tables, each beside its published value."""
     from plategait.thesis import reproduce
-    from plategait.thesis.report import prepare_folder, write_report
+    from plategait.thesis.page import prepare_folder
+    from plategait.thesis.report import write_report
     from plategait.thesis.study import item_name, simulates
 
     items = [item_name(name) for name in names or ()]

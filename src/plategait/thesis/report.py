@@ -2,55 +2,16 @@
 
 from __future__ import annotations
 
-import base64
-import csv
-import io
 import math
-import os
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from plategait import published
-from plategait.errors import InputError
-from plategait.files.output import whole_file, write_whole
-from plategait.thesis.item import Cell, Check, Comparison, Item, Table
+from plategait.files.output import write_whole
+from plategait.thesis.item import Check, Comparison, Item, Table
+from plategait.thesis.page import STYLE, html_picture, html_table, png, prepare_folder, write_table
 from plategait.thesis.study import Study
 from plategait.version import __version__
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-_DPI = 110
-_STYLE = """
-body { font: 15px/1.5 system-ui, sans-serif; color: #1a1a1a; max-width: 68rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.7rem; margin-bottom: .2rem; } h2 { font-size: 1.25rem; margin-top: 2.5rem; }
-h2 small { color: #666; font-weight: normal; }
-table { border-collapse: collapse; margin: .8rem 0; font-size: .85rem; } caption { text-align: left; color: #666; }
-th, td { padding: .2rem .7rem .2rem 0; text-align: right; border-bottom: 1px solid #ddd; vertical-align: top; }
-th, td:first-child, td.text, td.yes, td.no { text-align: left; } th { vertical-align: bottom; }
-.wide { overflow-x: auto; max-height: 30rem; overflow-y: auto; }
-img { max-width: 100%; } .verdict { font-weight: 600; } .yes { color: #00704f; } .no { color: #b04a00; }
-.note { color: #444; } nav td { border: 0; }
-"""
-
-
-def prepare_folder(folder: Path | str, example: str = "thesis") -> Path:
-    """Make the folder that the report goes to, before any work is done.
-
-    Raises
-    ------
-    InputError
-        When it cannot be made or written to.
-    """
-    folder = Path(folder)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except (OSError, ValueError):
-        raise InputError("--out", str(folder), "a folder that can be made", example) from None
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise InputError("--out", str(folder), "a folder that can be written to", example)
-    return folder
 
 
 def write_report(study: Study, folder: Path | str) -> Path:
@@ -65,35 +26,15 @@ def write_report(study: Study, folder: Path | str) -> Path:
     pictures: dict[str, bytes] = {}
     for item in study.items:
         for stem, figure in item.figures:
-            pictures[stem] = figure if isinstance(figure, bytes) else _png(figure)
+            pictures[stem] = figure if isinstance(figure, bytes) else png(figure)
             write_whole(pictures[stem], folder / f"{stem}.png", (".png",), "--out")
         for table in item.tables:
-            _write_table(table, folder / f"{table.name}.csv")
+            write_table(table, folder / f"{table.name}.csv")
         if item.comparisons:
-            _write_table(_comparison_table(item), folder / f"{item.name}-comparison.csv")
+            write_table(_comparison_table(item), folder / f"{item.name}-comparison.csv")
     page = folder / "report.html"
     write_whole(_page(study, pictures).encode(), page, (".html",), "--out")
     return page
-
-
-def _png(figure: Figure) -> bytes:
-    buffer = io.BytesIO()
-    figure.savefig(buffer, dpi=_DPI, format="png")
-    return buffer.getvalue()
-
-
-def _write_table(table: Table, path: Path) -> None:
-    with whole_file(path, (".csv",), "--out") as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(table.columns)
-        for row in table.rows:
-            writer.writerow(
-                ["" if _unknown(cell) else f"{cell:.8g}" if isinstance(cell, float) else cell for cell in row]
-            )
-
-
-def _unknown(cell: Cell) -> bool:
-    return cell is None or (isinstance(cell, float) and not math.isfinite(cell))
 
 
 def _comparison_table(item: Item) -> Table:
@@ -135,26 +76,9 @@ def _allowed(c: Comparison) -> str:
     return f"±{c.allowed:g}" if c.absolute else f"±{100 * c.allowed:g} %"
 
 
-def _cell(cell: Cell) -> str:
-    if _unknown(cell):
-        return "<td>–</td>"
-    if isinstance(cell, str):
-        mark = {"yes": ' class="yes"', "no": ' class="no"'}.get(cell, ' class="text"')
-        return f"<td{mark}>{escape(cell)}</td>"
-    return f"<td>{cell:.4g}</td>" if isinstance(cell, float) else f"<td>{cell}</td>"
-
-
-def _html_table(table: Table, caption: str = "", whole: bool = True) -> str:
-    head = "".join(f"<th>{escape(column)}</th>" for column in table.columns)
-    body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in table.rows)
-    title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    kind = "" if whole else ' class="wide"'
-    return f"<div{kind}><table>{title}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
-
-
 def _checks(checks: tuple[Check, ...]) -> str:
     rows = tuple((c.what, c.target, c.measured, "yes" if c.holds else "no") for c in checks)
-    return _html_table(Table("", ("finding", "target", "measured", "holds"), rows))
+    return html_table(Table("", ("finding", "target", "measured", "holds"), rows))
 
 
 def _item(item: Item, pictures: dict[str, bytes]) -> str:
@@ -164,15 +88,14 @@ def _item(item: Item, pictures: dict[str, bytes]) -> str:
         f'<p class="verdict {kind}">{escape(item.verdict)}</p>',
     ]
     for stem, _ in item.figures:
-        data = base64.b64encode(pictures[stem]).decode("ascii")
-        parts.append(f'<img alt="{escape(item.title)}" src="data:image/png;base64,{data}">')
+        parts.append(html_picture(pictures[stem], item.title))
     if item.comparisons:
-        parts.append(_html_table(_comparison_table(item)))
+        parts.append(html_table(_comparison_table(item)))
     if item.checks:
         parts.append(_checks(item.checks))
     parts += [f'<p class="note">{escape(note)}</p>' for note in item.notes]
     for table in item.tables:
-        parts.append(_html_table(table, f"{table.name}.csv", whole=False))
+        parts.append(html_table(table, f"{table.name}.csv", whole=False))
     return "\n".join(parts)
 
 
@@ -187,7 +110,7 @@ def _page(study: Study, pictures: dict[str, bytes]) -> str:
     )
     links = " · ".join(f'<a href="#{escape(item.name)}">{escape(item.name)}</a>' for item in study.items)
     return f"""<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>The dissertation, regenerated</title><style>{_STYLE}</style></head>
+<html lang="en"><head><meta charset="utf-8"><title>The dissertation, regenerated</title><style>{STYLE}</style></head>
 <body>
 <h1>The dissertation, regenerated</h1>
 <p>I. G. Ramirez-Alpizar, <i>Nonprehensile Manipulation of Deformable Objects</i>, Osaka University, 2013. Every
@@ -201,9 +124,9 @@ below it mean nothing. It is large where one start's curve catches an island of 
 mean over the starts leaves out. "Change at half the step" is what the number does when the time step is halved, from
 the same starts; a dash means that this was not run for that number: it was for the curves at α = 36.87 deg.</p>
 <p>{links}</p>
-{_html_table(index)}
+{html_table(index)}
 {chr(10).join(_item(item, pictures) for item in study.items)}
 <h2 id="slips">Slips in the source</h2>
-{_html_table(slips)}
+{html_table(slips)}
 </body></html>
 """

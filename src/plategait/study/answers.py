@@ -1,0 +1,34 @@
+"""Answers to the questions of the catalogue, from runs that are kept."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from plategait.study.catalogue import find_questions
+from plategait.study.claims import Answer
+from plategait.study.progress import Progress
+from plategait.study.runs import open_runs
+
+
+def answer_questions(
+    names: Sequence[str] = (), folder: Path | None = None, progress: Progress | None = None
+) -> list[Answer]:
+    """Answer questions, all by default.
+
+    Parameters
+    ----------
+    names : sequence of str
+    folder : Path, optional
+        Where runs are kept, so that interrupted work goes on there and gives the same bits; in memory by default.
+    progress : callable, optional
+        Called with the share that is done.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, or a folder that is of something else, held by another process, or cannot be written to.
+    """
+    questions = find_questions(names)
+    with open_runs(folder, progress, sum(question.simulated for question in questions)) as runs:
+        return [question.answer(runs) for question in questions]

@@ -1,0 +1,61 @@
+"""The catalogue of questions: each study's name, what it asks, and who answers."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from plategait.errors import InputError
+
+if TYPE_CHECKING:
+    from plategait.study.claims import Answer
+    from plategait.study.runs import Runs
+
+
+@dataclass(frozen=True)
+class Question:
+    """One question that the source leaves open.
+
+    Attributes
+    ----------
+    name : str
+        What people type, and the module of `plategait.study.questions` whose function `answer` takes `Runs` and this
+        question, and gives an `Answer`.
+    asks : str
+        The question in a sentence.
+    simulated : float
+        About how much it simulates, s, for the progress.
+    """
+
+    name: str
+    asks: str
+    simulated: float
+
+    def answer(self, runs: Runs) -> Answer:
+        """Answer it from runs, those that are kept and those that are missing."""
+        function: Callable[[Runs, Question], Answer]
+        function = importlib.import_module(f"plategait.study.questions.{self.name}").answer
+        return function(runs, self)
+
+
+QUESTIONS = (
+    Question("torsion", "Does an isotropic plate behave otherwise than the source's free torsion, and does refining "
+             "the pitch converge?", 900.0),
+)  # fmt: skip
+NAMES = tuple(question.name for question in QUESTIONS)
+
+
+def find_questions(names: Sequence[str]) -> list[Question]:
+    """Questions by name, in the order of the catalogue; all of them for none.
+
+    Raises
+    ------
+    InputError
+        For a name that none has.
+    """
+    for name in names:
+        if name not in NAMES:
+            raise InputError("study", name, f"one of {', '.join(NAMES)}", NAMES[0])
+    return [question for question in QUESTIONS if not names or question.name in names]
