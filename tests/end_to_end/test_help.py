@@ -42,6 +42,8 @@ def test_help_has_its_groups_and_examples(called, tmp_path):
     for group in ("Object", "Motion", "Runs", "Output", "Examples:"):
         assert group in said
     assert "<bool>" not in said
+    for group in ((), ("identify",), ("study",)):
+        assert "<bool>" not in called(*group, "--help", cwd=tmp_path, check=0).stdout
 
 
 def test_a_shell_completes_commands(called, monkeypatch, tmp_path):

@@ -156,13 +156,22 @@ def test_a_campaign_s_picture_half_fills_the_marks_of_points_that_failed_in_part
         failure=[["slipped", "slipped", "", ""], *[["slipped", "", "", ""]] * 1, *[[""] * 4] * (n - 2)],
         failure_time=np.ones((n, 4)),
     )  # fmt: skip
-    axes = plot_campaign(opened).axes[0]
+    figure = plot_campaign(opened)
+    axes = figure.axes[0]
     marks = [line for line in axes.get_lines() if line.get_marker() == "^"]
     counts = {line.get_fillstyle(): len(line.get_xdata()) for line in marks}
     assert counts == {"left": 2, "full": n - 2}
     (crosses,) = (line for line in axes.get_lines() if line.get_marker() == "x")
     assert len(crosses.get_xdata()) == 1
-    assert any("half-filled" in text.get_text() for text in axes.get_legend().get_texts())
+    assert any("half-filled" in text.get_text() for text in figure.legends[0].get_texts())
+    figure.draw_without_rendering()
+    # No mark is cut by the edge of the axes, and a map has no colour where a point failed.
+    inner = axes.get_window_extent()
+    for line in marks:
+        x, y = axes.transData.transform(line.get_xydata()).T
+        assert (np.abs(x - (inner.x0 + inner.x1) / 2) < inner.width / 2 - 5).all()
+        assert (y > inner.y0 + 5).all()
+        assert (y < inner.y1 - 5).all() or len(grid) == 1
 
 
 def as_simulation(row, like: Simulation) -> Simulation:

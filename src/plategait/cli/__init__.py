@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 from typer.exceptions import TyperException
 
-from plategait.cli.command import Command, usage_line
+from plategait.cli.command import Command, Group, usage_line
 from plategait.cli.curve import curve, fit
 from plategait.cli.estimate import estimate
 from plategait.cli.estimate_all import estimate_all
@@ -36,7 +36,7 @@ from plategait.cli.track_strip import track_strip
 from plategait.errors import InputError
 
 app = typer.Typer(
-    pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]},
+    cls=Group, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]},
     help="Simulates a thin soft object on a vibrating plate: how it slides, walks, runs and spins.",
 )  # fmt: skip
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import typer
-from typer.core import TyperCommand
+from typer.core import TyperCommand, TyperGroup
 from typer.exceptions import TyperException
 
 from plategait.cli.help_pages import complete
@@ -85,6 +85,18 @@ class Command(TyperCommand):
             if option is None or option.param_type_name == "argument":
                 raise
             raise InputError(option.opts[0], error.got, error.allowed, error.hint) from None
+
+
+class Group(TyperGroup):
+    """Commands under one name, in whose help a flag is written in nothing."""
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        """The options of the group itself, `--help` among them."""
+        params = super().get_params(ctx)
+        for param in params:
+            if getattr(param, "is_flag", False):
+                param.metavar = ""  # type: ignore[attr-defined]
+        return params
 
 
 def refuse(context: typer.Context, names: Iterable[str], where: str, hint: str) -> None:

@@ -21,7 +21,7 @@ def modes(
     made: MaterialOptions,
     sheet: options.Sheet = None,
     natural_frequency: options.NaturalFrequency = None,
-    count: Annotated[int, typer.Option("--count", help="How many to print.", min=1)] = 8,
+    count: Annotated[int, typer.Option("--count", help="How many to print and draw.", min=1)] = 8,
     plot: options.Plot = None,
     as_json: options.Json = False,
 ) -> None:
@@ -33,7 +33,7 @@ def modes(
         from plategait.plots.figures import plot_modes
         from plategait.plots.style import save
 
-        save(plot_modes(built), plot)
+        save(plot_modes(built, count), plot)
     if not as_json:
         return report.print_modes(built.name, free_modes, count)
     keys = ("omega", "frequency", "damping_ratio", "name")

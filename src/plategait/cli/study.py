@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from plategait.cli import options, report
-from plategait.cli.command import Command
+from plategait.cli.command import Command, Group
 from plategait.files.output import write_whole
 from plategait.study.catalogue import QUESTIONS, Question
 from plategait.study.defaults import FIRST, GENERATIONS, SEEDS
@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 FOLDER = Path("studies")
 Out = Annotated[Path, typer.Option("--out", help="Folder for report.html, its figures, tables and JSON, and the runs.")]
 
-study = typer.Typer(help="Studies: what the dissertation leaves open, answered with numbers and their uncertainty.")
+study = typer.Typer(
+    cls=Group, help="Studies: what the dissertation leaves open, answered with numbers and their uncertainty."
+)
 
 
 @study.callback(invoke_without_command=True)

@@ -3,20 +3,31 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.figure import Figure
+from matplotlib.ticker import AutoLocator, MaxNLocator
 
 from plategait.files.output import PICTURES, check_writable, write_whole
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.typing import ColorType
 
 
 # Okabe and Ito's colours, told apart by colour-blind readers and in grey.
 BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#7F7F7F"
+SKY, PURPLE = "#56B4E9", "#CC79A7"
+
+# Curves of one picture: each has a colour and a dash of its own, so that none is told by its colour alone.
+LINES: tuple[tuple[str, Any], ...] = (
+    (BLUE, "-"), (ORANGE, "--"), (GREEN, "-."), (RED, ":"), (SKY, (0, (8, 2))), (PURPLE, (0, (3, 1, 1, 1, 1, 1))),
+)  # fmt: skip
+# Names, and what is said beside them, points.
+_NAME, SMALL = 11.0, 8.5
 
 
 # As in Figs. 4.4 and 4.7.
@@ -56,10 +67,56 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def label_axes(axes: Axes, x: str, y: str) -> None:
-    """Label both axes and leave out the frame they do not need."""
+    """Label both axes, count them in ones, twos and fives, and leave out the frame they do not need."""
     axes.set_xlabel(x)
     axes.set_ylabel(y)
     axes.spines[["top", "right"]].set_visible(False)
+    for axis in (axes.xaxis, axes.yaxis):
+        if isinstance(axis.get_major_locator(), AutoLocator):
+            axis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10]))
+
+
+def head(axes: Axes, name: str, details: Sequence[str] = ()) -> None:
+    """Write the name of a picture over its axes, and under it in smaller letters what was held fixed and found.
+
+    Parameters
+    ----------
+    name : str
+        As it stands: a dollar sign in it is one.
+    details : sequence of str
+        Lines in Matplotlib's mathtext; see `plain_text`.
+    """
+    axes.set_title(name, loc="left", fontsize=_NAME, parse_math=False, pad=6 + 1.45 * SMALL * len(details))
+    if details:
+        axes.annotate("\n".join(details), (0, 1), (0, 5), xycoords="axes fraction", textcoords="offset points",
+                      va="bottom", fontsize=SMALL, linespacing=1.35)  # fmt: skip
+
+
+def plain_text(words: str) -> str:
+    """Words as they stand, for where mathtext is read."""
+    return words.replace("$", r"\$")
+
+
+def legend_below(figure: Figure, handles: Sequence[Artist] | None = None, columns: int = 4) -> None:
+    """One legend for a whole figure, under its panels, where it covers nothing: of all their labels, each once."""
+    if handles is None:
+        of_labels: dict[str, Artist] = {}
+        for axes in figure.axes:
+            for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+                of_labels.setdefault(label, handle)
+        handles = list(of_labels.values())
+    if handles:
+        labels = [str(handle.get_label()) for handle in handles]
+        figure.legend(handles, labels, loc="outside lower center", ncols=min(columns, len(handles)), frameon=False,
+                      fontsize=SMALL)  # fmt: skip
+
+
+def legend_beside(axes: Axes, **options: Any) -> None:
+    """The legend of one panel at its right, where it covers nothing."""
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(
+            **{"frameon": False, "fontsize": SMALL, "loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} | options
+        )
 
 
 def mark(colour: ColorType, partly_failed: bool = False) -> dict[str, Any]:

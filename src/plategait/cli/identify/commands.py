@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from plategait.cli import options
-from plategait.cli.command import Command
+from plategait.cli.command import Command, Group
 from plategait.cli.identify.bending import bending
 from plategait.cli.identify.compression import compression
 from plategait.cli.identify.friction import friction
@@ -16,7 +16,7 @@ from plategait.cli.identify.modes import ring
 from plategait.errors import InputError
 from plategait.files.output import check_writable
 
-identify = typer.Typer(help="Read joint and friction parameters off bench recordings.")
+identify = typer.Typer(cls=Group, help="Read joint and friction parameters off bench recordings.")
 identify.command(cls=Command)(bending)
 identify.command(cls=Command)(compression)
 identify.command(cls=Command)(friction)
