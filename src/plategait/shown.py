@@ -26,6 +26,8 @@ _DRAWN_BY = {
     "Estimate": ("estimate.figures", "plot_estimate"),
     "Optimum": ("optimize.figures", "plot_optimum"),
     "Simulation": ("plots.figures", "plot_run"),
+    "Steering": ("control.figures", "plot_steering"),
+    "Track": ("vision.figures", "plot_track"),
     "BendingResult": ("identify.bending.figures", "plot_bending"),
     "CompressionResult": ("identify.compression.figures", "plot_compression"),
     "FrictionResult": ("identify.friction.figures", "plot_tilt"),

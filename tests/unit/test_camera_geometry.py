@@ -131,6 +131,21 @@ def test_markers_that_do_not_fit_are_refused(arguments):
         plate_target(*arguments)
 
 
+@pytest.mark.parametrize("size", [0.03, 0.1, 0.2])
+def test_words_of_the_target_can_be_read_and_keep_off_the_plate(size):
+    for page, half in ((fiducials._plate_page(plate_target(size, size, size / 6)), 500 * size),
+                       (fiducials._object_page(), 0.0)):  # fmt: skip
+        page.draw_without_rendering()
+        (axes,) = page.axes
+        words = [text for text in axes.texts if text.get_text()]
+        assert min(text.get_fontsize() for text in words) >= 9
+        boxes = [text.get_window_extent().transformed(axes.transData.inverted()) for text in words]
+        # What printers leave white, mm.
+        assert max(max(abs(box.x0), abs(box.x1)) for box in boxes) < page.get_figwidth() * 25.4 / 2 - 12
+        assert all(box.y0 > half or box.y1 < -half for box in boxes if half)
+        assert not [1 for i, box in enumerate(boxes) for other in boxes[:i] if box.overlaps(other)]
+
+
 def test_the_printed_page_is_found_by_the_detector_at_true_scale():
     target = plate_target(0.12, 0.12, 0.02)
     page, picture = fiducials._plate_page(target), io.BytesIO()

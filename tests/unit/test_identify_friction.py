@@ -9,6 +9,7 @@ import time as clock
 import numpy as np
 import pytest
 import typer
+from legible import assert_legible
 
 from plategait.cli.identify.friction import friction
 from plategait.cli.identify.modes import ring
@@ -368,6 +369,6 @@ def test_the_modes_command_writes_prints_and_says_how_it_went(tmp_path, capsys):
 
 def test_pictures_are_drawn_of_what_is_not_determined_too():
     t = np.arange(0, 4, 0.01)
-    assert plot_tilt(one(t, 0.1 * t, 0 * t)).axes
-    assert plot_tilt(one(*tilt_recording(0.75, 0.4, rest=-0.1, travel=0.3, seed=2))).axes
-    assert plot_ring(rung(t, 0 * t)).axes
+    assert_legible(plot_tilt(one(t, 0.1 * t, 0 * t)))
+    assert_legible(plot_tilt(one(*tilt_recording(0.75, 0.4, rest=-0.1, travel=0.3, seed=2))))
+    assert_legible(plot_ring(rung(t, 0 * t)))

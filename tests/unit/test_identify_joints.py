@@ -9,6 +9,7 @@ import time
 import numpy as np
 import pytest
 import typer
+from legible import assert_legible
 from typer.testing import CliRunner
 
 from plategait.cli.identify.bending import bending
@@ -353,10 +354,12 @@ def test_a_million_rows_take_seconds():
 
 def test_pictures(sagged, pressed):
     figure = plot_bending(sagged)
+    assert_legible(figure)
     recorded, fitted = figure.axes[0].get_lines()
     np.testing.assert_allclose(recorded.get_ydata(), np.degrees(sagged.phi_2))
     np.testing.assert_allclose(fitted.get_ydata(), np.degrees(sagged.reconstruction))
     assert len(plot_compression(pressed).axes) == 2
+    assert_legible(plot_compression(pressed))
 
 
 def test_the_bending_command(strip, tmp_path):

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from legible import assert_legible
 
 from plategait import InputError, PlateMotion, preset
 from plategait.model.machine import MACHINES, Machine
@@ -145,7 +146,12 @@ def test_a_small_atlas_of_the_engine_tells_velocities_and_motions(small, tmp_pat
     (tmp_path / "atlas.json").write_text(json.dumps(told))
     machine, twists = reached_in(tmp_path / "atlas.json")
     assert machine == "source-robot"
-    assert len(plot_atlas(made, [(machine, twists)]).axes) == 4
+    figure = plot_atlas(made, [(machine, twists)])
+    assert len(figure.axes) == 4
+    assert_legible(figure)
+    numbered = " ".join(text.get_text() for text in figure.axes[0].texts if text.get_gid() == "primitives").split()
+    assert sorted(map(int, numbered)) == list(range(1, 1 + len(made.primitives))), "each primitive once"
+    assert f"{len(made.primitives)} hold" in figure.get_suptitle()
 
 
 def test_a_store_goes_on_where_it_was_and_ends_with_the_same_bits(small, tmp_path):

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from legible import assert_legible
 
 from plategait import InputError, preset
 from plategait.campaign import cluster as cluster_module
@@ -444,6 +445,7 @@ def test_the_summary_is_plain_json_and_the_figure_shows_every_trial(in_place_of_
     assert [each["seed"] for each in s["searches"]] == [0, 1]
     assert s["evaluations"] == sum(each["evaluations"] for each in s["searches"])
     figure = plot_optimum(optimum)
+    assert_legible(figure)
     plane = figure.axes[0]
     crosses, stays = plane.lines[0].get_xdata(), plane.collections[0].get_offsets()
     assert len(crosses) + len(stays) == len(optimum.trials)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from legible import assert_legible
 
 from plategait.curve.curve import Curve
 from plategait.curve.lorentz import lorentzian
@@ -92,21 +93,6 @@ def test_no_words_lie_over_data(peak):
     rate = lorentzian(FREQUENCY, 500.0, peak, 2.0)
     curve = fit_curve(Curve("c", FREQUENCY, rate, np.full(16, 3.0), ("sliding",) * 16, ("",) * 15 + ("slipped",)))
     assert_legible(plots.plot_curve(curve))
-
-
-def assert_legible(figure) -> None:
-    """No words of a figure lie over a point that is drawn in it, nor over other words."""
-    figure.draw_without_rendering()
-    legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes if axes.get_legend())]
-    boxes = [legend.get_window_extent() for legend in legends]
-    boxes += [text.get_window_extent() for axes in figure.axes for text in axes.texts if text.get_text()]
-    for axes in figure.axes:
-        for line in axes.get_lines():
-            places = line.get_transform().transform(line.get_xydata())
-            for box in boxes:
-                inside = (places > (box.x0, box.y0)).all(axis=1) & (places < (box.x1, box.y1)).all(axis=1)
-                assert not inside.any(), f"{line.get_label()} under {box}"
-    assert not [1 for i, box in enumerate(boxes) for other in boxes[:i] if box.overlaps(other)]
 
 
 def test_points_that_failed_in_part_are_half_filled():

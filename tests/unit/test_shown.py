@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from legible import assert_legible
 
 import plategait as pg
+from plategait.control.goal import Goal
+from plategait.control.steer import Arrival, Steering
 from plategait.shown import MOST_LINES, Shown, in_short
+from plategait.vision.spin import Spin
+from plategait.vision.track import Track
 
 
 @pytest.fixture(scope="module")
@@ -63,6 +70,41 @@ def test_names_stay_text_in_a_notebook(simulation):
 def test_a_result_draws_itself(simulation, curve):
     for result in (simulation, curve):
         assert result.plot().axes
+
+
+def test_a_way_to_goals_draws_itself():
+    time = np.linspace(0.0, 2.0, 60)
+    poses = np.stack([0.02 * time, 0.01 * time, time], axis=1)
+    goals = [Goal(0.02, 0.01, 1.0), Goal(0.06, 0.02)]
+    aims = np.where(time[:, None] < 1, goals[0].pose, goals[1].pose)
+    arrivals = (
+        Arrival(goals[0], True, 1.0, 0.001, 0.02, 3, ""),
+        Arrival(goals[1], False, math.nan, 0.02, 0.1, 4, "out of time"),
+    )
+    figure = Steering(arrivals, time, poses, poses, aims, ()).plot()
+    assert_legible(figure)
+    names = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert {"goal, reached", "goal, not reached"} <= set(names)
+    assert "3 mm and 5 deg" in figure.get_suptitle()
+
+
+def test_a_clip_draws_itself():
+    time, sure = np.arange(60) / 30, np.arange(60) % 7 != 0
+    spin = Spin(math.radians(250), math.radians(240), math.radians(260), True, 0.1)
+    found = SimpleNamespace(departure=SimpleNamespace(drift=0.004, kind="slipped"))
+    x, y, angle = 0.001 * time, -0.002 * time, spin.rate * time + 1
+    clip = Track("a_$b.mp4", time, x, y, angle, sure, sure, ("",) * 60, "markers", 1, 30.0, SimpleNamespace(), 12.0,
+                 spin, found)  # type: ignore[arg-type]  # fmt: skip
+    figure = clip.plot()
+    assert_legible(figure)
+    said = " ".join([figure.get_suptitle(), *(axes.get_title(loc="left") for axes in figure.axes)])
+    for words in ("51 of 60 frames sure", "12 Hz", "250.0 deg/s [240.0, 260.0]", "slipped, drift 4 mm"):
+        assert words in said
+    line = max(figure.axes[0].get_lines(), key=lambda each: each.get_linestyle() == "--")
+    assert np.ptp(line.get_ydata()) / np.ptp(line.get_xdata()) == pytest.approx(250)
+    assert "data:image/png" in clip._repr_html_()
+    without = replace(clip, spin=Spin(math.nan, math.nan, math.nan, False, math.nan, reason="too few sure frames"))
+    assert "too few" in without.plot().axes[0].get_title(loc="left")
 
 
 def test_a_notebook_shows_a_figure_without_pyplot(curve):

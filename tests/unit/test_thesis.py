@@ -2,15 +2,18 @@ from __future__ import annotations
 
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from legible import assert_legible
 
-from plategait.curve.curve import RUN_OFF
+from plategait.curve.curve import RUN_OFF, Curve
 from plategait.curve.lorentz import fit_lorentzian, lorentzian
 from plategait.curve.quick_lorentz import fit_shape
 from plategait.errors import InputError
 from plategait.published import Number
+from plategait.thesis import draw
 from plategait.thesis.cases import VARIANTS, Case, damping_variant, fitted_cases, reference_cases
 from plategait.thesis.item import Check, Comparison, verdict
 from plategait.thesis.items.friction import best_friction
@@ -49,6 +52,25 @@ def test_a_regression_leaves_out_what_is_not_known_and_refuses_too_few_points():
     assert regress([0, 1, 2, 3], [0, 1, 2, math.nan]).freedom == 1
     with pytest.raises(InputError, match="points"):
         regress([0, 1], [0, 1])
+
+
+def test_what_failed_on_a_curve_lies_in_a_band_under_its_panel_and_legends_stand_beside():
+    case = Case(12)
+    failed = np.arange(len(case.frequencies)) >= 6
+    curve = Curve("c", np.array(case.frequencies), np.where(failed, np.nan, 100.0), np.full(len(failed), 2.0),
+                  tuple("walking" for _ in failed), tuple("folded" if each else "" for each in failed))  # fmt: skip
+    runs = SimpleNamespace(curve=curve, fit=None, case=case)
+    figure, (axes,) = draw.panels(1)
+    x = np.linspace(1.0, 2.0, len(failed))
+    failures = draw.curve(axes, runs, x, draw.COLOURS[1], "$A_p$ = 12 deg")  # type: ignore[arg-type]
+    np.testing.assert_array_equal(failures.x, x[failed])
+    draw.plain(axes, "$x$", draw.RATE)
+    draw.finish(axes, [failures])
+    assert_legible(figure)
+    (band,) = (line for line in axes.get_lines() if line.get_gid() == "failed")
+    assert len(band.get_xdata()) == failed.sum()
+    assert "folded" in [text.get_text() for text in axes.get_legend().get_texts()]
+    assert axes.get_lines()[0].get_linestyle() == "--", "told by its dash too"
 
 
 def test_two_sided_p():

@@ -20,9 +20,12 @@ from plategait.cli.filmed import read_size
 from plategait.cli.target import target
 from plategait.cli.track import track
 from plategait.errors import InputError
-from plategait.vision.frames import open_video
+from plategait.vision.frames import Frame, open_video
 from plategait.vision.object import parallax
+from plategait.vision.object.pose import NO_POSE, Pose
 from plategait.vision.plate.swing import aliases_of, plate_swing
+from plategait.vision.plate.view import PlateView
+from plategait.vision.preview import overlaid
 from plategait.vision.setup import Setup
 from plategait.vision.spin import apparent_frequency, spin_of
 from plategait.vision.stamps import stamps_of
@@ -331,6 +334,14 @@ def test_the_command_writes_poses_and_a_preview(clip: Path, tmp_path: Path) -> N
         assert sum(1 for _ in video.frames()) == 29
     printed = CliRunner().invoke(app(), ["track", str(clip)])
     assert "spin rate" in printed.output
+
+
+def test_words_on_a_preview_stand_on_paper_of_their_own() -> None:
+    dark = Frame(0, 1.5, np.full((240, 320), 16, np.uint8), (np.full((120, 160), 128, np.uint8),) * 2)
+    for pose in (NO_POSE, Pose(0.0, 0.0, 0.1)):
+        foot = overlaid(dark, PlateView(None), pose, (0.1, 0.1))[-12:, :40].mean(axis=2)
+        # Ink on paper: most of it bright, some of it dark.
+        assert 0.4 < (foot > 200).mean() < 0.98
 
 
 def test_bad_input_leaves_nothing_behind(clip: Path, tmp_path: Path) -> None:

@@ -41,6 +41,7 @@ RIM_PLACE = 0.8
 
 _MM_PER_INCH = 25.4
 _PAGES = ((210.0, 297.0), (297.0, 420.0), (420.0, 594.0), (594.0, 841.0))  # A4 to A1, mm
+_WORDS = 10.0  # size of letters, points
 _SHEET_MARGIN = 12.0  # what printers leave white, mm
 
 
@@ -126,7 +127,7 @@ def _page(width: float, height: float) -> tuple[Figure, float, float]:
         for w, h in ((short, long), (long, short)):
             if width <= w - 2 * _SHEET_MARGIN and height <= h - 2 * _SHEET_MARGIN:
                 return Figure(figsize=(w / _MM_PER_INCH, h / _MM_PER_INCH)), w, h
-    most = [p - 2 * _SHEET_MARGIN - extra for p, extra in zip(_PAGES[-1], (0, 30), strict=True)]
+    most = [p - 2 * _SHEET_MARGIN - extra for p, extra in zip(_PAGES[-1], (0, 50), strict=True)]
     raise InputError("plate", f"{width:g} x {height:g} mm with its ruler",
                      f"at most {most[0]:g} x {most[1]:g} mm, which fits A1", "100 mm x 100 mm")  # fmt: skip
 
@@ -144,7 +145,7 @@ def _plate_page(target: PlateTarget) -> Figure:
     from matplotlib.patches import Rectangle
 
     size_x, size_y = 1e3 * target.size[0], 1e3 * target.size[1]
-    figure, width, height = _page(max(size_x, 80.0), size_y + 30)
+    figure, width, height = _page(max(size_x, 125.0), size_y + 50)
     axes = _drawing(figure, width, height)
     axes.add_patch(Rectangle((-size_x / 2, -size_y / 2), size_x, size_y, fill=False, lw=0.3, ec="0.5"))
     module = 1e3 * target.marker / MODULES
@@ -158,12 +159,15 @@ def _plate_page(target: PlateTarget) -> Figure:
         axes.plot([-dx, dx], [-dy, dy], color="0.6", lw=0.3)
     length = 10 * int(min(size_x, 100.0) // 10) if size_x >= 20 else 10
     _ruler(axes, -size_x / 2, -size_y / 2 - 8, length)
-    axes.annotate(
-        "", (size_x / 2, -size_y / 2 - 14), (size_x / 2 - 15, -size_y / 2 - 14), arrowprops={"arrowstyle": "->"}
+    right = max(size_x, 80.0) / 2
+    axes.annotate("", (right, -size_y / 2 - 17), (right - 15, -size_y / 2 - 17), arrowprops={"arrowstyle": "->"})
+    axes.text(right - 17, -size_y / 2 - 17, "$x$, away from the bar's root", ha="right", va="center", fontsize=_WORDS)
+    words = (
+        f"plate {size_x:g} mm × {size_y:g} mm, markers {1e3 * target.marker:.4g} mm",
+        "Print at 100 %, check by the ruler, cut along the outline, glue on.",
     )
-    axes.text(size_x / 2 - 17, -size_y / 2 - 14, "x, away from the bar's root", ha="right", va="center", fontsize=7)
-    words = f"plategait target   plate {size_x:g} x {size_y:g} mm   marker {1e3 * target.marker:g} mm   print at 100 %"
-    axes.text(0, size_y / 2 + 3, words, ha="center", va="bottom", fontsize=7)
+    for line, text in enumerate(words):
+        axes.text(0, size_y / 2 + 9 - 5 * line, text, ha="center", va="bottom", fontsize=_WORDS)
     return figure
 
 
@@ -180,11 +184,11 @@ def _object_page() -> Figure:
                 axes.add_patch(Rectangle((x + shift, y), *size, facecolor="#12408c", lw=0))
     _ruler(axes, -45, -30, 100)
     words = (
-        "Cut out one long and one square marker. Glue the long one on the middle of the object, pointing outwards,",
-        "and the square one on the same radial line near the rim.",
+        "Cut out one long and one square marker. Glue the long one on the middle of the",
+        "object, pointing outwards, and the square one on the same radial line near the rim.",
     )
     for k, line in enumerate(words):
-        axes.text(0, 48 - 4 * k, line, ha="center", fontsize=7)
+        axes.text(0, 50 - 5 * k, line, ha="center", fontsize=_WORDS)
     return figure
 
 
@@ -192,5 +196,6 @@ def _ruler(axes: Axes, x: float, y: float, length: int) -> None:
     """Draw a ruler with a tick each mm."""
     axes.plot([x, x + length], [y, y], color="black", lw=0.4)
     for k in range(length + 1):
-        axes.plot([x + k, x + k], [y, y + (3 if k % 10 == 0 else 2 if k % 5 == 0 else 1)], color="black", lw=0.2)
-    axes.text(x + length + 2, y, f"{length} mm", va="bottom", fontsize=6)
+        axes.plot([x + k, x + k], [y, y + (3 if k % 10 == 0 else 2 if k % 5 == 0 else 1)], color="black", lw=0.35)
+    for k in range(0, length + 1, 10 if length <= 50 else 50):
+        axes.text(x + k, y - 1, f"{k} mm" if k == length else f"{k}", ha="center", va="top", fontsize=_WORDS - 1)

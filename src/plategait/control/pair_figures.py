@@ -12,7 +12,7 @@ from plategait.control.figures import draw_plate
 from plategait.control.pair_reach import PairReach
 from plategait.control.steer import Steering
 from plategait.model.scenario import Scenario
-from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, new_figure
+from plategait.plots.style import GREEN, GREY, LINES, RED, label_axes, legend_below, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -48,12 +48,16 @@ def plot_pair(
     poses = np.concatenate([way.poses for way in ways] + [way.aims[:1] for way in ways])
     radius = max(scenario.sheet.outline.size()) / 2
     draw_plate(right, scenario, np.concatenate([poses - radius, poses + radius]))
-    for way, colour in zip(ways, (BLUE, ORANGE), strict=True):
-        right.plot(*(1e3 * way.poses[:, :2].T), color=colour, lw=1)
-        _ring(right, way.poses[0], radius, GREY, "--")
-        _ring(right, way.poses[-1], radius, colour, "-")
+    for way, name, (colour, dash) in zip(ways, ("first", "second"), LINES, strict=False):
+        right.plot(*(1e3 * way.poses[:, :2].T), color=colour, lw=1, ls=dash, label=f"way of the {name} sheet")
+        _ring(right, way.poses[0], radius, GREY, ":")
+        _ring(right, way.poses[-1], radius, colour, dash)
         arrival = way.arrivals[0]
-        right.plot(1e3 * arrival.goal.x, 1e3 * arrival.goal.y, "+", ms=9, color=GREEN if arrival.reached else RED)
+        mark, mark_colour, word = ("+", GREEN, "reached") if arrival.reached else ("x", RED, "not reached")
+        right.plot(1e3 * arrival.goal.x, 1e3 * arrival.goal.y, mark, ms=9, mew=1.5, color=mark_colour,
+                   label=f"goal, {word}")  # fmt: skip
+    right.plot([], [], color=GREY, ls=":", label="rim at the start")
+    legend_below(figure, columns=5)
     told = ways[0].arrivals[0]
     right.set_title(f"both held after {told.time:.1f} s" if told.reached else told.status, fontsize=10)
     return figure

@@ -15,7 +15,9 @@ from plategait.estimate.observations import Condition
 from plategait.estimate.prediction import Prediction, predict
 from plategait.estimate.readings import Readings
 from plategait.estimate.result import Estimate
-from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes, new_figure
+from plategait.plots.failures import Failures, draw_failures, failure_handles
+from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes, legend_below, new_figure, plain_text
+from plategait.plots.symbols import FREQUENCY, SPIN_RATE, typeset
 from plategait.simulation.ensemble import fails
 
 if TYPE_CHECKING:
@@ -52,9 +54,22 @@ def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction] | None =
         _draw_parameter(figure.add_subplot(grid[-1, i]), estimate, i, values)
     if not estimate.goodness.explained:
         figure.suptitle(
-            "not explained: " + "; ".join(estimate.goodness.complaints), color=RED, fontsize=9, x=0.01, ha="left"
+            plain_text("not explained: " + "; ".join(estimate.goodness.complaints)),
+            color=RED,
+            fontsize=9,
+            x=0.01,
+            ha="left",
         )
+    _legend(figure, ran_off=bool(estimate.posterior.data.failed.any()))
     return figure
+
+
+def _legend(figure: Figure, ran_off: bool) -> None:
+    handles: dict[str, Any] = {}
+    for axes in figure.axes:
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+            handles.setdefault(label, handle)
+    legend_below(figure, [*handles.values(), *(failure_handles(["ran off"]) if ran_off else [])], columns=7)
 
 
 def _draw_curve(axes: Axes, estimate: Estimate, prediction: Prediction) -> None:
@@ -63,22 +78,27 @@ def _draw_curve(axes: Axes, estimate: Estimate, prediction: Prediction) -> None:
     _draw_prediction(axes, prediction, prediction.rates)
     where, place = _places(prediction, data.conditions, data.which)
     outlier = np.isin(data.frequency, estimate.goodness.outliers) & data.rated
-    for group, colour, label in ((~outlier, "black", "measured"), (outlier, ORANGE, "probably an outlier")):
+    groups = ((~outlier, "black", "o", "measured"), (outlier, ORANGE, "D", "probably an outlier"))
+    for group, colour, marker, label in groups:
         points = where & data.rated & group
         if points.any():
             bars = np.where(np.isfinite(data.sd), data.sd, 0.0)[points]
-            style: dict[str, Any] = {"fmt": "o", "mfc": "white", "mec": colour, "ecolor": colour, "ms": 5.5, "mew": 1.3}
+            style: dict[str, Any] = {
+                "fmt": marker,
+                "mfc": "white",
+                "mec": colour,
+                "ecolor": colour,
+                "ms": 5.5,
+                "mew": 1.3,
+            }
             axes.errorbar(place[points], data.rate[points], bars, label=label, **style)
     failed = where & data.failed
-    if failed.any():
-        axes.plot(place[failed], np.zeros(failed.sum()), "x", color=RED, ms=7, mew=1.5, clip_on=False, label="ran off")
-    axes.set_title(
-        "mixed motions" if prediction.amplitude is None else prediction.amplitude.text, loc="left", fontsize=10
-    )
+    title = "mixed motions" if prediction.amplitude is None else prediction.amplitude.text
+    axes.set_title(typeset(title), loc="left", fontsize=10)
     # Only a spin rate out of phase is below zero.
     axes.set_ylim(bottom=min(0.0, 1.1 * float(np.nanmin(data.rate[data.rated], initial=0.0))))
-    axes.legend(frameon=False, fontsize=8, loc="upper left")
-    label_axes(axes, _across(prediction), "spin rate $\\omega_B$ (deg/s)")
+    label_axes(axes, _across(prediction), SPIN_RATE)
+    draw_failures(axes, [Failures(place[failed], ["ran off"] * int(failed.sum()))])
 
 
 def _draw_reading(axes: Axes, estimate: Estimate, prediction: Prediction, reading: Readings) -> None:
@@ -106,7 +126,7 @@ def _places(
 
 
 def _across(prediction: Prediction) -> str:
-    return "motion" if prediction.amplitude is None else "plate frequency $f_p$ (Hz)"
+    return "motion" if prediction.amplitude is None else FREQUENCY
 
 
 def _draw_prediction(axes: Axes, prediction: Prediction, values: Array) -> None:
@@ -123,7 +143,16 @@ def _draw_prediction(axes: Axes, prediction: Prediction, values: Array) -> None:
     axes.plot(f[stays], middle[stays], color=BLUE, lw=1.4, label="median prediction")
     runs_off = ~stays & (f > f[stays].max(initial=0.0))
     if runs_off.any():
-        axes.axvspan(f[runs_off].min(), f.max(), color=GREY, alpha=0.12, lw=0, label="predicted to run off")
+        axes.axvspan(
+            f[runs_off].min(),
+            f.max(),
+            color=GREY,
+            alpha=0.25,
+            lw=0,
+            hatch="//",
+            fill=False,
+            label="predicted to run off",
+        )
 
 
 def _quantile(rates: Array, q: float) -> Array:

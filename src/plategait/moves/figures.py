@@ -11,16 +11,15 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.moves.atlas import Atlas
 from plategait.moves.report import PEOPLES
-from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, new_figure
+from plategait.plots.style import BLUE, LINES, label_axes, legend_below, new_figure, plain_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _LABELS = ("along the bar (mm/s)", "across it (mm/s)", "turning (deg/s)")
-# Where the names of primitives stand that lie near to each other, points.
-_ASIDE = {"turn left": (8, 14), "turn right": (8, -20), "hold": (-30, -14), "back": (-6, 10)}
-_COLOURS = (BLUE, ORANGE, GREEN, RED, GREY)
+# Primitives nearer to each other than this share of a panel have one mark together.
+_NEAR = 0.045
 
 
 def plot_atlas(atlas: Atlas, beside: Sequence[tuple[str, Array]] = ()) -> Figure:
@@ -32,17 +31,37 @@ def plot_atlas(atlas: Atlas, beside: Sequence[tuple[str, Array]] = ()) -> Figure
     beside : sequence of (machine, velocities)
         Other atlases whose reachable sets are drawn beside this one's, mm/s and deg/s.
     """
-    figure = new_figure(12.0, 4.2)
+    figure = new_figure(12.0, 5.0)
     left, middle, right = figure.subplots(1, 3, width_ratios=(1.25, 1, 1))
     twists = atlas.twists * PEOPLES
     _draw_map(left, figure, atlas, twists)
     _draw_turning(middle, atlas, twists)
     _draw_reached(right, [(atlas.machine.name, twists), *beside])
+    for axes, columns in ((left, (0, 1)), (middle, (0, 2))):
+        _number_primitives(axes, atlas, columns)
+    legend_below(figure, columns=3)
+    names = "   ".join(f"{i} {primitive.name}" for i, primitive in enumerate(atlas.primitives, start=1))
     figure.suptitle(
-        f"{atlas.scenario.name} on {atlas.machine.name}: {len(twists)} velocities, each with a motion, "
-        f"from {atlas.runs} runs", fontsize=10,
+        plain_text(
+            f"{atlas.scenario.name} on {atlas.machine.name}: {len(twists)} velocities, each with a motion, from "
+            f"{atlas.runs} runs\nPrimitives: {names or 'none'}"
+        ),
+        fontsize=10, x=0.01, ha="left",
     )  # fmt: skip
     return figure
+
+
+def _number_primitives(axes: Axes, atlas: Atlas, columns: tuple[int, int]) -> None:
+    """Numbers where primitives lie, those together that lie together."""
+    low, high = np.array([axes.get_xlim(), axes.get_ylim()]).T
+    groups: list[tuple[Array, list[str]]] = []
+    for number, primitive in enumerate(atlas.primitives, start=1):
+        place = (primitive.trial.twist * PEOPLES)[list(columns)]
+        near = [names for at, names in groups if (np.abs((at - place) / (high - low)) < _NEAR).all()]
+        near[0].append(str(number)) if near else groups.append((place, [str(number)]))
+    for place, names in groups:
+        axes.text(place[0], place[1], " ".join(names), ha="center", va="center", fontsize=8, zorder=5, gid="primitives",
+                  bbox={"boxstyle": "round,pad=0.25", "fc": "white", "ec": "black", "lw": 0.8})  # fmt: skip
 
 
 def _draw_map(axes: Axes, figure: Figure, atlas: Atlas, twists: Array) -> None:
@@ -51,13 +70,8 @@ def _draw_map(axes: Axes, figure: Figure, atlas: Atlas, twists: Array) -> None:
     marks = axes.scatter(*twists[order, :2].T, c=twists[order, 2], cmap="coolwarm", vmin=-most, vmax=most, s=26,
                          edgecolors="black", linewidths=0.3)  # fmt: skip
     figure.colorbar(marks, ax=axes, label=_LABELS[2])
-    for primitive in atlas.primitives:
-        along, across, _ = primitive.trial.twist * PEOPLES
-        axes.plot(along, across, "*", ms=12, mfc="white", mec="black")
-        aside = _ASIDE.get(primitive.name, (6, 7))
-        axes.annotate(primitive.name, (along, across), aside, textcoords="offset points", fontsize=8)
     label_axes(axes, _LABELS[0], _LABELS[1])
-    axes.set_title("velocities, and the primitives (stars)", fontsize=9)
+    axes.set_title("velocities, and the primitives among them", loc="left", fontsize=9)
 
 
 def _draw_turning(axes: Axes, atlas: Atlas, twists: Array) -> None:
@@ -73,19 +87,19 @@ def _draw_turning(axes: Axes, atlas: Atlas, twists: Array) -> None:
         axes.add_patch(Ellipse((twist[0], twist[2]), width, height, angle=angle, fc=BLUE, alpha=0.25, lw=0))
     axes.plot(twists[:, 0], twists[:, 2], ".", color=BLUE, ms=3)
     label_axes(axes, _LABELS[0], _LABELS[2])
-    axes.set_title("where 90 % of fresh runs lie", fontsize=9)
+    axes.set_title("where 90 % of fresh runs lie", loc="left", fontsize=9)
 
 
 def _draw_reached(axes: Axes, atlases: Sequence[tuple[str, Array]]) -> None:
     """Outlines of what is reached along and across, whatever the turning."""
-    for (machine, twists), colour in zip(atlases, _COLOURS, strict=False):
+    for (machine, twists), (colour, dash) in zip(atlases, LINES, strict=False):
         outline = _hull(twists[:, :2])
-        turns = f"{twists[:, 2].min():.0f} to {twists[:, 2].max():.0f} deg/s"
+        turns = f"turning at {twists[:, 2].min():.0f} to {twists[:, 2].max():.0f} deg/s".replace("-", "−")
         axes.fill(*outline.T, color=colour, alpha=0.15, lw=0)
-        axes.plot(*np.vstack([outline, outline[:1]]).T, color=colour, lw=1.2, label=f"{machine}, {turns}")
+        axes.plot(*np.vstack([outline, outline[:1]]).T, color=colour, ls=dash, lw=1.4,
+                  label=f"{plain_text(machine)}, {turns}")  # fmt: skip
     label_axes(axes, _LABELS[0], _LABELS[1])
-    axes.legend(frameon=False, fontsize=7.5)
-    axes.set_title("what is reached", fontsize=9)
+    axes.set_title("what is reached", loc="left", fontsize=9)
 
 
 def _hull(points: Array) -> Array:

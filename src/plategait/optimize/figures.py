@@ -10,7 +10,18 @@ import numpy as np
 from plategait.optimize.goal import COSTS
 from plategait.optimize.optimum import Optimum, front
 from plategait.optimize.report import angular_acceleration, in_peoples, known_costs
-from plategait.plots.style import BLUE, GREY, ORANGE, RED, label_axes, new_figure
+from plategait.plots.style import (
+    BLUE,
+    GREY,
+    ORANGE,
+    RED,
+    label_axes,
+    legend_below,
+    new_figure,
+    plain_logarithms,
+    plain_text,
+)
+from plategait.plots.symbols import ACCELERATION, FREQUENCY, SPIN_RATE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,9 +51,10 @@ def plot_optimum(optimum: Optimum) -> Figure:
         unused.set_visible(False)
     trial = optimum.trial
     rate = f"{math.degrees(trial.spin_rate):.0f} deg/s" if trial.counted else "every run fails"
+    legend_below(figure, columns=5)
     figure.suptitle(
-        f"{optimum.scenario.name} on {optimum.machine.name}, {optimum.goal.words}: {rate} "
-        f"at {trial.motion.frequency:.1f} Hz", fontsize=10,
+        plain_text(f"{optimum.scenario.name} on {optimum.machine.name}, {optimum.goal.words}: {rate} ")
+        + f"at $f_p$ = {trial.motion.frequency:.1f} Hz", fontsize=10, x=0.01, ha="left",
     )  # fmt: skip
     return figure
 
@@ -71,7 +83,7 @@ def _draw_plane(axes: Axes, optimum: Optimum, figure: Figure) -> None:
     frequency = np.geomspace(low, max(high, 1.001 * low), 50)
     if rocks:
         along = angular_acceleration(best.motion) / (2 * math.pi * frequency) ** 2
-        axes.plot(frequency, along, color=RED, lw=1, ls="--", label="the optimum's A$_p$ω$_p$²")
+        axes.plot(frequency, along, color=RED, lw=1, ls="--", label="$A_p\\,\\omega_p^2$ of the optimum")
     axes.plot([best.motion.frequency], [_amplitude(best, rocks)], **_STAR)
     values = [_amplitude(t, rocks) for t in optimum.trials if _amplitude(t, rocks) > 0]
     axes.set_xscale("log")
@@ -81,17 +93,17 @@ def _draw_plane(axes: Axes, optimum: Optimum, figure: Figure) -> None:
     ticks = [f for f in (1, 2, 5, 10, 15, 20, 30, 40, 60, 100) if low <= f <= high]
     axes.set_xticks(ticks, [str(f) for f in ticks])
     axes.minorticks_off()
-    label_axes(axes, "plate frequency (Hz)", "A$_p$ (deg)" if rocks else "B$_p$ (mm)")
-    axes.legend(fontsize=7, frameon=False, loc="lower left")
+    plain_logarithms(axes.yaxis)
+    label_axes(axes, FREQUENCY, "$A_p$ (deg)" if rocks else "$B_p$ (mm)")
     if stays:
-        figure.colorbar(marks, ax=axes, label="spin rate (deg/s)")
+        figure.colorbar(marks, ax=axes, label=SPIN_RATE)
 
 
 def _draw_ridge(axes: Axes, optimum: Optimum) -> None:
     stays, best = _stays(optimum), optimum.trial
     axes.plot([1e-4 * angular_acceleration(t.motion) for t in stays], _rate(stays), "o", color=BLUE, ms=3.5, mew=0)
     axes.plot([1e-4 * angular_acceleration(best.motion)], _rate([best]), **_STAR)
-    label_axes(axes, "A$_p$ω$_p$² (10⁴ deg/s²)", "spin rate (deg/s)")
+    label_axes(axes, ACCELERATION, SPIN_RATE)
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
 
@@ -106,7 +118,6 @@ def _draw_front(axes: Axes, optimum: Optimum, cost: str) -> None:
     axes.plot(values(stays), _rate(stays), "o", color=GREY, ms=3, mew=0, alpha=0.6)
     axes.plot(values(best), _rate(best), color=BLUE, lw=1.4, marker="o", ms=3.5, label="none is faster for less")
     axes.plot(values([optimum.trial]), _rate([optimum.trial]), **_STAR)
-    label_axes(axes, _LABELS[cost], "spin rate (deg/s)")
+    label_axes(axes, _LABELS[cost], SPIN_RATE)
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
-    axes.legend(fontsize=7, frameon=False, loc="lower right")

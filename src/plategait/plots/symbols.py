@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from plategait.arrays import Array
+from plategait.model.measured import Measured, as_text
 from plategait.model.parameters import Parameter
 from plategait.units import parse
 
@@ -33,6 +34,10 @@ SYMBOLS = {
     "sheet.bending_damping": ("bending damping", "$c_b$"),
     "sheet.axial_stiffness": ("axial stiffness", "$k_c$"),
 }
+_TYPESET = {
+    "ω_Br max": "$\\omega_{Br\\,max}$", "ω_n": "$\\omega_n$", "α": "$\\alpha$", "b/f0": "$b/f_0$",
+    "A_p": "$A_p$", "B_p": "$B_p$",
+}  # fmt: skip
 _PI = "π rad/s"
 _UNITS_OF_PI = {_PI: math.pi, "Hz": 2 * math.pi, "rad/s": 1.0}
 
@@ -54,7 +59,7 @@ def unit_read(parameter: Parameter, values: Iterable[float] = ()) -> tuple[float
 def label_of(parameter: Parameter, unit: str) -> str:
     """Axis label of a parameter: its name, its symbol and its unit."""
     name = " ".join(SYMBOLS.get(parameter.name, (parameter.name,)))
-    return f"{name} ({_typeset(unit)})" if unit else name
+    return f"{name} ({_in_print(unit)})" if unit else name
 
 
 def value_with(parameter: Parameter, value: float | str) -> str:
@@ -64,7 +69,7 @@ def value_with(parameter: Parameter, value: float | str) -> str:
         return f"{symbol}: {value}"
     size, unit = unit_read(parameter, [value])
     number = f"{value / size:.6g}"
-    return f"{symbol} = {number}{unit}" if unit == _PI else f"{symbol} = {number} {_typeset(unit)}".rstrip()
+    return f"{symbol} = {number}{unit}" if unit == _PI else f"{symbol} = {number} {_in_print(unit)}".rstrip()
 
 
 def motion_in_words(motion: PlateMotion, without: Collection[str] = ()) -> str:
@@ -85,6 +90,20 @@ def motion_in_words(motion: PlateMotion, without: Collection[str] = ()) -> str:
     return ", ".join(parts)
 
 
+def typeset(words: str) -> str:
+    """Words with their symbols as mathtext: "A_p = 3 deg" with its A and p as in print."""
+    for plain, symbol in _TYPESET.items():
+        words = words.replace(plain, symbol)
+    return words
+
+
+def told(symbol: str, measured: Measured | None, factor: float, unit: str) -> str:
+    """A measured value with its symbol, interval and unit, or that it was not determined."""
+    if measured is None:
+        return f"{symbol} {as_text(None)}"
+    return f"{symbol} = {as_text(measured, '.3g', factor)} {unit}"
+
+
 def span(values: Array, unit: str) -> str:
     """What values reach from and to, or the one that they all are."""
     values = values[np.isfinite(values)]
@@ -92,7 +111,7 @@ def span(values: Array, unit: str) -> str:
     return f"{low} {unit}".rstrip() if low == high else f"{low} to {high} {unit}".rstrip()
 
 
-def _typeset(unit: str) -> str:
+def _in_print(unit: str) -> str:
     return unit.replace("^2", "²").replace("^3", "³").replace("*", " ")
 
 

@@ -21,7 +21,7 @@ def motion_in_words(scenario: Scenario) -> str:
     motion = scenario.motion
     if motion.samples is not None or motion.waves:
         return f"own plate motion at {motion.frequency:g} Hz"
-    amplitudes = f"A_p = {math.degrees(motion.angle):.4g} deg,  B_p = {1e3 * motion.stroke:.4g} mm"
+    amplitudes = f"Aₚ = {math.degrees(motion.angle):.4g} deg,  Bₚ = {1e3 * motion.stroke:.4g} mm"
     return f"plate {motion.frequency:g} Hz,  {amplitudes}"
 
 

@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plategait.arrays import Array
-from plategait.plots.style import mark
+from plategait.plots import symbols
+from plategait.plots.failures import Failures, draw_failures, failure_handles
+from plategait.plots.style import label_axes, legend_beside, mark
 from plategait.thesis.regressions import Regression
 from plategait.thesis.runs import CaseRuns
 
@@ -20,9 +22,9 @@ if TYPE_CHECKING:
 
 GAIT_MARKERS = {"sliding": "s", "walking": "^", "running": "o", "": "D"}
 COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#7F7F7F", "#000000")
-FREQUENCY = "plate frequency $f_p$ (Hz)"
-ACCELERATION = "$A_p \\omega_p^2$ ($10^4$ deg/s²)"
-RATE = "spin rate $\\omega_B$ (deg/s)"
+FREQUENCY, ACCELERATION, RATE = symbols.FREQUENCY, symbols.ACCELERATION, symbols.SPIN_RATE
+# Dashes beside the colours, so that no curve is told by its colour alone.
+DASHES = ("-", "--", "-.", ":", (0, (8, 2)), (0, (3, 1, 1, 1, 1, 1)), (0, (5, 1)), (0, (1, 1)))
 PUBLISHED = {"color": "black", "ls": "none", "marker": "x", "ms": 5, "mew": 1.2, "label": "published"}
 
 
@@ -37,17 +39,17 @@ def panels(columns: int, rows: int = 1, width: float = 5.0, height: float = 3.6)
 
 def plain(axes: Axes, x: str, y: str, title: str = "") -> None:
     """Label the axes and take the frame away."""
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
+    label_axes(axes, x, y)
     axes.set_title(title, loc="left", fontsize=9.5)
-    axes.spines[["top", "right"]].set_visible(False)
 
 
-def curve(axes: Axes, runs: CaseRuns, x: ArrayLike, colour: ColorType, label: str, fit: bool = False) -> None:
+def curve(axes: Axes, runs: CaseRuns, x: ArrayLike, colour: ColorType, label: str, fit: bool = False) -> Failures:
     """Spin rates that did not fail, marked by gait, up to the run-off; with the spread over the starts.
 
-    Half-filled marks are of points at which some starts failed.
+    Half-filled marks are of points at which some starts failed. What failed is returned, to be drawn when all curves
+    are (`finish`).
     """
+    dash = DASHES[COLOURS.index(colour)] if colour in COLOURS else "-"
     x = np.asarray(x, dtype=float)
     fitted, rate = runs.curve.fitted, runs.curve.spin_rate_deg_s
     axes.plot(
@@ -55,13 +57,25 @@ def curve(axes: Axes, runs: CaseRuns, x: ArrayLike, colour: ColorType, label: st
         rate[fitted],
         color=colour,
         lw=0.8 if fit else 1.2,
-        ls=":" if fit else "-",
+        ls=(0, (1, 2)) if fit else dash,
         label=None if fit else label,
     )
     _mark_gaits(axes, runs, x, colour)
     if fit and runs.fit is not None and fitted.any():
         grid = np.linspace(runs.fit_from, x[fitted].max() + 2, 200)
-        axes.plot(grid, runs.fit(grid), color=colour, lw=1.2, label=label)
+        axes.plot(grid, runs.fit(grid), color=colour, lw=1.2, ls=dash, label=label)
+    failed = runs.curve.failed
+    kinds = [kind for kind, fails in zip(runs.curve.failure, failed, strict=True) if fails]
+    return Failures(x[failed], kinds, colour, dash)
+
+
+def finish(axes: Axes, failures: Sequence[Failures] = (), **legend: Any) -> None:
+    """Draw what failed on the curves of a panel in a band under it, and its legend beside it."""
+    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]) if axes.get_ylim()[0] < -20 else 0.0)
+    draw_failures(axes, failures, scale=0.7 if len(failures) < 4 else 0.5)
+    for handle in failure_handles([kind for row in failures for kind in row.kind]):
+        axes.add_line(handle)  # type: ignore[arg-type]
+    legend_beside(axes, **legend)
 
 
 def _mark_gaits(axes: Axes, runs: CaseRuns, x: Array, colour: ColorType) -> None:
@@ -87,14 +101,15 @@ def scatter(axes: Axes, x: Array, y: Array, groups: Sequence[float], unit: str =
     for i, group in enumerate(sorted(set(groups))):
         members = np.array([g == group for g in groups])
         axes.plot(
-            x[members], y[members], "o-", color=COLOURS[i % len(COLOURS)], lw=0.7, ms=3.5, label=f"{group:g}{unit}"
-        )
+            x[members], y[members], marker="os^Dv<>p"[i % 8], color=COLOURS[i % len(COLOURS)], lw=0.7, ms=3.5,
+            label=f"{group:g}{unit}",
+        )  # fmt: skip
 
 
 def line(axes: Axes, regression: Regression, x: ArrayLike, band: bool = False) -> None:
     """Regression line, with its 95 % band if asked."""
     grid = np.linspace(np.nanmin(x), np.nanmax(x), 50)
-    axes.plot(grid, regression(grid), color="black", lw=1.6, label=f"regression, R² = {regression.r2:.2f}")
+    axes.plot(grid, regression(grid), color="black", lw=1.6, label=f"regression, $R^2$ = {regression.r2:.2f}")
     if band:
         low, high = regression.band(grid)
         axes.plot(grid, low, "--", grid, high, "--", color="black", lw=0.9)

@@ -99,7 +99,7 @@ def _told(name: str, unit: str, known: tuple[float, float], scale: float, least:
 
 
 def _bending(form: Form) -> float:
-    """Largest rms angle of joints at any phase of the swing, rad a m of lift: of parabolas through the rim all around."""
+    """Largest rms angle of joints at any phase of the swing, rad a m of lift: of parabolas through the whole rim."""
     if not form.lift.size:
         return math.nan
     height = form.lift - form.lift.min(axis=0)

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from plategait.vision.track import FrameCallback, Track
 
 # Blue, green, red.
-SURE, UNSURE, PLATE = (60, 200, 40), (40, 60, 240), (220, 150, 40)
+SURE, UNSURE, PLATE = (115, 158, 0), (0, 94, 213), (220, 150, 40)
+PAPER, INK = (245, 245, 245), (30, 30, 30)
 COLUMNS = ("time_s", "x_mm", "y_mm", "angle_deg", "sure", "reason")
 # With half of the 95 % interval: of each frame's surroundings, and of the whole clip.
 LOCAL = ("velocity_x_mm_s", "velocity_x_half_mm_s", "velocity_y_mm_s", "velocity_y_half_mm_s", "spin_rate_deg_s",
@@ -37,7 +38,7 @@ QUALITY, USUAL_FPS = 24, 30.0
 def preview(path: Path | str, size: tuple[float, float], fps: float = USUAL_FPS) -> Iterator[FrameCallback]:
     """Write a film of what is tracked; gives what `plategait.vision.track.track` takes as `follow`.
 
-    Sure poses are green, uncertain ones red with the reason; the plate is blue.
+    Sure poses are green rings, uncertain ones red crosses with the reason; the plate is blue.
 
     Parameters
     ----------
@@ -82,15 +83,28 @@ def overlaid(frame: Frame, view: PlateView, pose: Pose, size: tuple[float, float
             colour = UNSURE if pose.reason else SURE
             middle = np.array([pose.x, pose.y])
             spot = np.round(project(view.homography, middle)).astype(int)
-            cv2.circle(picture, (int(spot[0]), int(spot[1])), 3 * width, colour, width, cv2.LINE_AA)
+            here = int(spot[0]), int(spot[1])
+            if pose.reason:
+                cv2.drawMarker(picture, here, colour, cv2.MARKER_TILTED_CROSS, 8 * width, width + 1, cv2.LINE_AA)
+            else:
+                cv2.circle(picture, here, 3 * width, colour, width + 1, cv2.LINE_AA)
             if math.isfinite(pose.angle):
                 tip = middle + 0.3 * min(size) * np.array([math.cos(pose.angle), math.sin(pose.angle)])
-                _line(picture, project(view.homography, np.stack([middle, tip])), colour, width, False)
-    text = f"{frame.time:.3f} s   {pose.reason or 'sure'}"
-    place, scale = (6 * width, picture.shape[0] - 6 * width), picture.shape[0] / 900
-    for colour, thick in (((255, 255, 255), 3 * width), (UNSURE if pose.reason else (30, 30, 30), width)):
-        cv2.putText(picture, text, place, cv2.FONT_HERSHEY_SIMPLEX, scale, colour, thick, cv2.LINE_AA)
+                _line(picture, project(view.homography, np.stack([middle, tip])), colour, width + 1, False)
+    _write(picture, f"{frame.time:.3f} s   {pose.reason or 'sure'}", UNSURE if pose.reason else INK, width)
     return picture
+
+
+def _write(picture: NDArray[np.uint8], text: str, colour: tuple[int, int, int], width: int) -> None:
+    """Write a line at the foot of a picture, on paper of its own, so that it is read whatever lies behind it."""
+    import cv2
+
+    scale, margin, foot = picture.shape[0] / 800, 6 * width, picture.shape[0]
+    (length, height), below = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, scale, width)
+    top = foot - height - below - 2 * margin
+    cv2.rectangle(picture, (0, top), (length + 2 * margin, foot), PAPER, cv2.FILLED)
+    cv2.putText(picture, text, (margin, foot - below - margin), cv2.FONT_HERSHEY_SIMPLEX, scale, colour, width,
+                cv2.LINE_AA)  # fmt: skip
 
 
 def _line(

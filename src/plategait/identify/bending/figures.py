@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 
 from plategait.identify.bending.result import PER_DEGREE, BendingResult
 from plategait.identify.fit import if_determined
-from plategait.model.measured import as_text
-from plategait.plots.style import BLUE, GREY, new_figure
+from plategait.plots.style import BLUE, GREY, label_axes, legend_below, new_figure
+from plategait.plots.symbols import told
 
 
 def plot_bending(result: BendingResult) -> Figure:
@@ -23,16 +23,13 @@ def plot_bending(result: BendingResult) -> Figure:
     panels[0].plot(result.time, fitted, color="black", lw=1.2, label="reconstructed")
     panels[1].plot(result.time, measured - fitted, ".", color=BLUE, ms=3)
     panels[1].axhline(0.0, color=GREY, lw=1)
-    panels[0].set_ylabel("angle $\\phi_2$ (deg)")
-    panels[1].set_ylabel("missed (deg)")
-    panels[1].set_xlabel("time (s)")
-    panels[0].legend(frameon=False, fontsize=8.5)
-    for axes in panels:
-        axes.spines[["top", "right"]].set_visible(False)
+    label_axes(panels[0], "", "angle $\\phi_2$ (deg)")
+    label_axes(panels[1], "time (s)", "missed (deg)")
+    legend_below(figure)
     figure.suptitle(
-        f"$k_b$ = {as_text(if_determined(result.stiffness), '.3g', PER_DEGREE)} N mm/deg\n"
-        f"$c_b$ = {as_text(if_determined(result.damping), '.3g', PER_DEGREE)} N mm/(deg/s),  "
-        f"missed {math.degrees(result.residual_rms):.2g} deg rms",
+        f"{told('$k_b$', if_determined(result.stiffness), PER_DEGREE, 'N mm/deg')}\n"
+        f"{told('$c_b$', if_determined(result.damping), PER_DEGREE, 'N mm/(deg/s)')},  "
+        f"missed {math.degrees(result.residual_rms):.2g} deg r.m.s.",
         x=0.01, ha="left", fontsize=10,
     )  # fmt: skip
     return figure

@@ -6,8 +6,8 @@ from matplotlib.figure import Figure
 
 from plategait.identify.compression.result import CompressionResult
 from plategait.identify.fit import if_determined
-from plategait.model.measured import as_text
-from plategait.plots.style import BLUE, ORANGE, new_figure
+from plategait.plots.style import BLUE, ORANGE, label_axes, legend_below, new_figure
+from plategait.plots.symbols import told
 
 
 def plot_compression(result: CompressionResult) -> Figure:
@@ -19,15 +19,13 @@ def plot_compression(result: CompressionResult) -> Figure:
     axes.plot(time, 1e3 * result.displacement, "s", color=BLUE, ms=4, mfc="white", label="displacement")
     other.plot(time, result.force, "o", color=ORANGE, ms=4, label="force")
     other.plot(time, result.reconstruction, color="black", lw=1.2, label="force, reconstructed")
-    axes.set_xlabel("time (ms)")
-    axes.set_ylabel("displacement $s$ (mm)")
-    other.set_ylabel("force $f_s$ (N)")
-    for side in (axes, other):
-        side.spines["top"].set_visible(False)
-    figure.legend(frameon=False, fontsize=8.5, loc="upper left", bbox_to_anchor=(0.12, 0.86))
+    label_axes(axes, "time (ms)", "displacement $s$ (mm)")
+    label_axes(other, "", "force $f_s$ (N)")
+    other.spines["right"].set_visible(True)
+    legend_below(figure)
     figure.suptitle(
-        f"$k_c$ = {as_text(if_determined(result.stiffness), '.3g', 1e-3)} N/mm\n"
-        f"$c_c$ = {as_text(if_determined(result.damping), '.3g', 1e-3)} N/(mm/s)",
+        f"{told('$k_c$', if_determined(result.stiffness), 1e-3, 'N/mm')}\n"
+        f"{told('$c_c$', if_determined(result.damping), 1e-3, 'N/(mm/s)')}",
         x=0.01, ha="left", fontsize=10,
     )  # fmt: skip
     return figure

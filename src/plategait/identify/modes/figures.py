@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from plategait.plots.style import BLUE, GREY, RED, new_figure
+from plategait.plots.style import BLUE, GREY, RED, label_axes, legend_below, new_figure, plain_logarithms, plain_text
 
 if TYPE_CHECKING:
     from plategait.identify.modes.result import RingResult
@@ -27,23 +27,21 @@ def plot_ring(result: RingResult) -> Figure:
     time, left = result.time, result.signal - result.fitted
     above.plot(time, factor * result.signal, ".", color=BLUE, ms=3, label="recorded")
     above.plot(time, factor * result.fitted, color="black", lw=1, label="fit")
-    above.legend(frameon=False, fontsize=8.5, loc="upper right")
-    above.set_ylabel(label)
+    label_axes(above, "", label)
     below.plot(time, factor * left, color=GREY, lw=0.8)
-    below.set_ylabel("residual")
-    below.set_xlabel("time (s)")
+    label_axes(
+        below, "time (s)", "residual" + label.removeprefix("deflection").removeprefix("angle").removeprefix("signal")
+    )
     frequency = np.fft.rfftfreq(len(time), (time[-1] - time[0]) / (len(time) - 1))[1:]
-    for values, colour, name in ((result.signal, BLUE, "recorded"), (left, GREY, "residual")):
+    for values, colour, name in ((result.signal, BLUE, "recorded, its spectrum"), (left, GREY, "residual")):
         size = 2 * np.abs(np.fft.rfft(factor * (values - values.mean())))[1:] / len(time)
         spectrum.semilogy(frequency, np.maximum(size, 1e-12 * factor), color=colour, lw=1, label=name)
     for mode in result.modes:
         if mode.rings:
-            spectrum.axvline(mode.frequency, color=RED, lw=1, ls="--")
-    spectrum.set_xlabel("frequency (Hz)")
-    spectrum.set_ylabel(f"amplitude of {label}")
-    spectrum.legend(frameon=False, fontsize=8.5)
-    for axes in (above, below, spectrum):
-        axes.spines[["top", "right"]].set_visible(False)
+            spectrum.axvline(mode.frequency, color=RED, lw=1, ls="--", label="mode that rings")
+    label_axes(spectrum, "frequency (Hz)", f"amplitude of {label}")
+    plain_logarithms(spectrum.yaxis)
+    legend_below(figure)
     figure.suptitle(_title(result), x=0.01, ha="left", fontsize=11)
     return figure
 
@@ -51,8 +49,8 @@ def plot_ring(result: RingResult) -> Figure:
 def _title(result: RingResult) -> str:
     mode = result.mode
     if mode is None:
-        return f"{result.name}: nothing rings"
+        return f"{plain_text(result.name)}: nothing rings"
     return (
-        f"{result.name}: {mode.frequency:.3f} Hz = {mode.omega.value / math.pi:.3f}π rad/s, "
+        f"{plain_text(result.name)}: {mode.frequency:.3f} Hz, $\\omega_n$ = {mode.omega.value / math.pi:.3f}π rad/s, "
         f"$\\zeta$ = {mode.damping_ratio.value:.3f}"
     )

@@ -146,7 +146,7 @@ def _acceleration_rows(panels: list[_Panel]) -> tuple[tuple[Cell, ...], ...]:
 
 
 def _draw_accelerations(panels: list[_Panel]) -> Figure:
-    figure, all_axes = draw.panels(4, 2, width=3.5, height=3.0)
+    figure, all_axes = draw.panels(4, 2, width=4.3, height=3.2)
     for axes, panel in zip(all_axes, panels, strict=True):
         _draw_panel(axes, panel)
     return figure
@@ -154,15 +154,16 @@ def _draw_accelerations(panels: list[_Panel]) -> Figure:
 
 def _draw_panel(axes: Axes, panel: _Panel) -> None:
     """Rates of one object over the acceleration, and the accelerations best at every amplitude."""
-    for i, runs in enumerate(panel.runs):
+    failures = [
         draw.curve(axes, runs, runs.acceleration, draw.COLOURS[i], f"{runs.case.angle_deg:g} deg")
+        for i, runs in enumerate(panel.runs)
+    ]
     low, high = panel.optimum
     if low <= high:
         axes.axvspan(low, high, color=draw.COLOURS[6], alpha=0.25, lw=0)
-    axes.legend(frameon=False, fontsize=6.5)
-    draw.plain(
-        axes, draw.ACCELERATION, draw.RATE, f"({panel.letter}) ω_n = {panel.omega_pi:g}π, fastest {panel.fastest_gait}"
-    )
+    title = f"({panel.letter}) $\\omega_n$ = {panel.omega_pi:g}π rad/s, fastest {panel.fastest_gait}"
+    draw.plain(axes, draw.ACCELERATION, draw.RATE, title)
+    draw.finish(axes, failures, title="$A_p$", title_fontsize=7, fontsize=6.5)
 
 
 def optimum_checks(results: Results) -> tuple[Check, ...]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from plategait import published
+from plategait.plots.style import legend_beside
 from plategait.published import PublishedCurve
 from plategait.thesis import draw
 from plategait.thesis.fits import Fits, ensemble_spread, published_curves, simulated_fits
@@ -41,10 +42,10 @@ _ALLOWED = {"r2": 0.05, "slope": 0.05, "intercept": 2.0}
 def fig_estimates(spec: Spec, results: Results) -> Item:
     """Estimated against real values with the 95 % band, Fig. 5.11 or 5.12."""
     quantity = _ESTIMATED[spec.name]
-    figure, panels = draw.panels(2)
+    figure, panels = draw.panels(2, width=6)
     comparisons: list[Comparison] = []
     for axes, angle, letter in zip(panels, published.AMPLITUDES, "ab", strict=True):
-        _draw_estimates(axes, quantity, results, angle, f"({letter}) A_p = {angle} deg")
+        _draw_estimates(axes, quantity, results, angle, f"({letter}) $A_p$ = {angle} deg")
         comparisons += _compare_regression(quantity, results, angle)
     return spec.item(
         figures=[(spec.name, figure)],
@@ -64,9 +65,9 @@ def _draw_estimates(axes: Axes, quantity: _Estimated, results: Results, angle: i
         real, getattr(fits, f"{quantity.name}_estimate"), "o", mfc="white", color=draw.COLOURS[0], ms=4, label="ours"
     )
     draw.line(axes, quantity.regression(fits), real, band=True)
-    axes.plot(real, real, color=draw.COLOURS[6], lw=0.8)
-    axes.legend(frameon=False, fontsize=8)
+    axes.plot(real, real, color=draw.COLOURS[6], lw=0.8, label="estimated as real")
     draw.plain(axes, f"real ({quantity.unit})", f"estimated ({quantity.unit})", title)
+    legend_beside(axes)
 
 
 def _compare_regression(quantity: _Estimated, results: Results, angle: int) -> list[Comparison]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from plategait import published
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
+from plategait.plots.style import legend_beside
 from plategait.simulation.observables import GAITS
 from plategait.thesis import draw
 from plategait.thesis.cases import FRICTION_ANGLES, REFERENCE_ALPHA, Case
@@ -135,8 +136,8 @@ def _draw_curves(axes: Axes, friction: FrictionMap, runs: Sequence[CaseRuns]) ->
     shade = colormaps["viridis"]
     for i, of_angle in enumerate(runs):
         draw.curve(axes, of_angle, friction.acceleration, shade(i / len(runs)), f"{of_angle.case.alpha_deg:g}")
-    axes.legend(frameon=False, fontsize=6.5, title="α (deg)", title_fontsize=7, ncols=2)
     draw.plain(axes, draw.ACCELERATION, draw.RATE, "(a)")
+    draw.finish(axes, fontsize=6.5, title="$\\alpha$ (deg)", title_fontsize=7)
 
 
 def _draw_contours(axes: Axes, friction: FrictionMap) -> None:
@@ -144,9 +145,9 @@ def _draw_contours(axes: Axes, friction: FrictionMap) -> None:
     axes.clabel(
         axes.contour(friction.acceleration, friction.alphas, share, levels=np.arange(0.1, 1.0, 0.1)), fontsize=7
     )
-    axes.plot(friction.acceleration, friction.best, "o-", color="black", ms=3, label="best α")
-    axes.legend(frameon=False, fontsize=8)
-    draw.plain(axes, draw.ACCELERATION, "friction angle α (deg)", "(b) ω_B over its best")
+    axes.plot(friction.acceleration, friction.best, "o-", color="black", ms=3, label="best $\\alpha$")
+    draw.plain(axes, draw.ACCELERATION, "friction angle $\\alpha$ (deg)", "(b) $\\omega_B$ over its best")
+    legend_beside(axes)
 
 
 def gait_comparisons(results: Results) -> tuple[Comparison, ...]:

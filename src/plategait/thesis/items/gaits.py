@@ -51,12 +51,12 @@ def _gait_rows(runs: CaseRuns, ratio: Array) -> tuple[tuple[Cell, ...], ...]:
 
 def _draw_gaits(runs: CaseRuns, ratio: Array) -> Figure:
     figure, (axes,) = draw.panels(1, width=6)
-    draw.curve(axes, runs, ratio, draw.COLOURS[0], "ours")
+    failures = [draw.curve(axes, runs, ratio, draw.COLOURS[0], "ours")]
     axes.axvline(published.single("best_ratio").value, color=draw.COLOURS[6], ls=":", label="published best")
     axes.plot(2.4, published.single("rate_12hz").value, **draw.PUBLISHED)
     draw.gait_legend(axes)
-    axes.legend(frameon=False, fontsize=8)
     draw.plain(axes, "$\\omega_p/\\omega_n$", draw.RATE)
+    draw.finish(axes, failures)
     return figure
 
 
@@ -130,10 +130,12 @@ def fig_4_6(spec: Spec, results: Results) -> Item:
 
 def _draw_amplitudes(curves: list[CaseRuns]) -> Figure:
     figure, (axes,) = draw.panels(1, width=6)
+    failures = []
     for i, runs in enumerate(curves):
         ratio = np.array(runs.case.frequencies) / 5.0
-        draw.curve(axes, runs, ratio, draw.COLOURS[i], f"{runs.case.angle_deg:g} deg")
+        name = f"$A_p$ = {runs.case.angle_deg:g} deg"
+        failures.append(draw.curve(axes, runs, ratio, draw.COLOURS[i], name))
     draw.gait_legend(axes)
-    axes.legend(frameon=False, fontsize=8)
     draw.plain(axes, "$\\omega_p/\\omega_n$", draw.RATE)
+    draw.finish(axes, failures)
     return figure

@@ -49,9 +49,9 @@ def _draw_distributions() -> Figure:
     figure, (axes,) = draw.panels(1)
     x = np.linspace(-5, 5, 301)
     for i, width in enumerate(_WIDTHS):
-        axes.plot(x, _distribution(x, width), color=draw.COLOURS[i], label=f"λ = {width:g}")
-    axes.legend(frameon=False)
-    draw.plain(axes, "x", "g(x)")
+        axes.plot(x, _distribution(x, width), color=draw.COLOURS[i], ls=draw.DASHES[i], label=f"$\\lambda$ = {width:g}")
+    draw.plain(axes, "$x$", "$g(x)$")
+    draw.finish(axes)
     return figure
 
 
@@ -66,13 +66,14 @@ _PRINTED = (
 
 def fig_5_4(spec: Spec, results: Results) -> Item:
     """Three curves with their fits."""
-    figure, panels = draw.panels(3, width=3.8)
+    figure, panels = draw.panels(3, width=4.8)
     comparisons: list[Comparison] = []
     for axes, letter, (omega, alpha, *printed) in zip(
         panels, "abc", published.numbers()["examples"]["rows"], strict=False
     ):
         runs, name = results[Case(3, omega, alpha)], f"({letter}) {omega:g}π, {alpha:g} deg"
-        _draw_example(axes, runs, name, printed)
+        title = f"({letter}) $\\omega_n$ = {omega:g}π rad/s, $\\alpha$ = {alpha:g} deg"
+        _draw_example(axes, runs, title, printed)
         comparisons += _compare_fit(results, runs, name, printed)
     return spec.item(
         figures=[(spec.name, figure)],
@@ -81,13 +82,13 @@ def fig_5_4(spec: Spec, results: Results) -> Item:
     )
 
 
-def _draw_example(axes: Axes, runs: CaseRuns, name: str, printed: list[float]) -> None:
+def _draw_example(axes: Axes, runs: CaseRuns, title: str, printed: list[float]) -> None:
     peak, f0, width, _ = printed
-    draw.curve(axes, runs, runs.curve.frequency_hz, draw.COLOURS[0], "ours", fit=True)
+    failures = [draw.curve(axes, runs, runs.curve.frequency_hz, draw.COLOURS[0], "ours, fit", fit=True)]
     grid = np.linspace(13, 31, 200)
     axes.plot(grid, lorentzian(grid, peak, f0, width), color="black", ls="--", lw=1, label="published fit")
-    axes.legend(frameon=False, fontsize=8)
-    draw.plain(axes, draw.FREQUENCY, draw.RATE, name)
+    draw.plain(axes, draw.FREQUENCY, draw.RATE, title)
+    draw.finish(axes, failures)
 
 
 def _compare_fit(results: Results, runs: CaseRuns, name: str, printed: list[float]) -> list[Comparison]:

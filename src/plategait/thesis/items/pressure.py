@@ -10,6 +10,7 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.model.presets import preset
+from plategait.plots.style import legend_below
 from plategait.theory import rigid
 from plategait.thesis import draw
 from plategait.thesis.item import Cell, Check, Item, Spec, Table
@@ -90,8 +91,8 @@ def _draw_pressures(disk: _Disk) -> Figure:
         axes.fill_between(1e3 * disk.across, disk.pressure(share), color=draw.COLOURS[5], alpha=0.5, label="pressure")
         axes.plot(1e3 * disk.across, disk.shear(share, slip), color=draw.COLOURS[3], label="friction")
         axes.set_ylim(-1, 38)
-        draw.plain(axes, "y across the bar (mm)", "Pa", title)
-        axes.legend(frameon=False, fontsize=8)
+        draw.plain(axes, "$y$ across the bar (mm)", "pressure, friction (Pa)", title)
+    legend_below(figure)
     return figure
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from plategait import published
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
+from plategait.plots.failures import Failures
 from plategait.thesis import draw
 from plategait.thesis.cases import PANCAKE_ANGLES, Case
 from plategait.thesis.item import Cell, Check, Comparison, Item, Spec, Table
@@ -100,16 +101,16 @@ def _amplitude_rows(sweeps: dict[str, _AmplitudeSweep]) -> tuple[tuple[Cell, ...
 
 
 def _draw_amplitudes(sweeps: dict[str, _AmplitudeSweep]) -> Figure:
-    figure, (axes,) = draw.panels(1)
-    angles = np.array(PANCAKE_ANGLES, dtype=float)
+    figure, (axes,) = draw.panels(1, width=6)
+    angles, failures = np.array(PANCAKE_ANGLES, dtype=float), []
     for (name, sweep), marker, colour in zip(sweeps.items(), "so", (draw.COLOURS[0], draw.COLOURS[3]), strict=True):
         ok, sd = ~sweep.failed, np.nan_to_num(sweep.sd)
         axes.errorbar(angles[ok], sweep.rate[ok], sd[ok], fmt=f"{marker}-", mfc="white", color=colour, label=name)
-        if not ok.all():
-            axes.plot(angles[~ok], np.zeros((~ok).sum()), "x", color=colour, label=f"{name}: failed")
+        kinds = [kind for c in sweep.curves for kind, fails in zip(c.failure, c.failed, strict=True) if fails]
+        failures.append(Failures(angles[~ok], kinds, colour, "-"))
     axes.plot([a for _, a, _ in _PRINTED], [published.single(n).value for _, _, n in _PRINTED], **draw.PUBLISHED)
-    axes.legend(frameon=False, fontsize=8)
-    draw.plain(axes, "amplitude $A_p$ (deg)", "spin rate (deg/s)")
+    draw.plain(axes, "angular amplitude $A_p$ (deg)", draw.RATE)
+    draw.finish(axes, failures)
     return figure
 
 

@@ -64,16 +64,22 @@ def _curve_rows(results: Results) -> tuple[tuple[Cell, ...], ...]:
 
 
 def _draw_curves(by_amplitude: list[CaseRuns], by_stiffness: list[CaseRuns]) -> Figure:
-    figure, (left, right) = draw.panels(2)
-    for i, runs in enumerate(by_amplitude):
-        draw.curve(left, runs, runs.curve.frequency_hz, draw.COLOURS[i], f"{runs.case.angle_deg:g} deg")
-    for i, runs in enumerate(by_stiffness):
-        draw.curve(right, runs, runs.curve.frequency_hz, draw.COLOURS[i], f"{runs.case.omega_pi:g}π rad/s")
-    draw.plain(left, draw.FREQUENCY, draw.RATE, "(a) ω_n = 10π rad/s, by A_p")
-    draw.plain(right, draw.FREQUENCY, draw.RATE, "(b) A_p = 3 deg, by ω_n")
-    for axes in (left, right):
+    figure, (left, right) = draw.panels(2, width=6)
+    of_left = [
+        draw.curve(left, runs, runs.curve.frequency_hz, draw.COLOURS[i], f"$A_p$ = {runs.case.angle_deg:g} deg")
+        for i, runs in enumerate(by_amplitude)
+    ]
+    of_right = [
+        draw.curve(
+            right, runs, runs.curve.frequency_hz, draw.COLOURS[i], f"$\\omega_n$ = {runs.case.omega_pi:g}π rad/s"
+        )
+        for i, runs in enumerate(by_stiffness)
+    ]
+    draw.plain(left, draw.FREQUENCY, draw.RATE, "(a) $\\omega_n$ = 10π rad/s, by $A_p$")
+    draw.plain(right, draw.FREQUENCY, draw.RATE, "(b) $A_p$ = 3 deg, by $\\omega_n$")
+    for axes, failures in ((left, of_left), (right, of_right)):
         draw.gait_legend(axes)
-        axes.legend(frameon=False, fontsize=8)
+        draw.finish(axes, failures)
     return figure
 
 
@@ -174,13 +180,15 @@ def _fit_row(results: Results, curve: PublishedCurve) -> tuple[Cell, ...]:
 
 def _draw_sheets(results: Results, sheets: list[list[PublishedCurve]]) -> Figure:
     """One panel for each amplitude and stiffness, one curve for each friction angle."""
-    figure, panels = draw.panels(4, 2, width=3.6, height=3.0)
+    figure, panels = draw.panels(4, 2, width=4.3, height=3.2)
     for axes, curves in zip(panels, sheets, strict=True):
+        failures = []
         for i, curve in enumerate(curves):
-            runs = _runs_of(results, curve)
-            draw.curve(axes, runs, runs.curve.frequency_hz, draw.COLOURS[i], f"{curve.alpha_deg:g}", fit=True)
-        axes.legend(frameon=False, fontsize=6.5, title="α (deg)", title_fontsize=7)
-        draw.plain(axes, draw.FREQUENCY, draw.RATE, f"A_p = {curves[0].angle_deg} deg, ω_n = {curves[0].omega_pi:g}π")
+            runs, name = _runs_of(results, curve), f"{curve.alpha_deg:g}"
+            failures.append(draw.curve(axes, runs, runs.curve.frequency_hz, draw.COLOURS[i], name, fit=True))
+        title = f"$A_p$ = {curves[0].angle_deg} deg, $\\omega_n$ = {curves[0].omega_pi:g}π rad/s"
+        draw.plain(axes, draw.FREQUENCY, draw.RATE, title)
+        draw.finish(axes, failures, fontsize=6.5, title="$\\alpha$ (deg)", title_fontsize=7)
     return figure
 
 

@@ -12,6 +12,8 @@ import numpy as np
 from plategait import published
 from plategait.arrays import Array
 from plategait.model.inferred import number_of
+from plategait.plots.style import legend_beside
+from plategait.plots.symbols import typeset
 from plategait.thesis import draw
 from plategait.thesis.cases import DAMPINGS, Case, damping_variant, reference_cases
 from plategait.thesis.fits import Fits, ensemble_spread, published_fits, simulated_fits
@@ -112,7 +114,7 @@ def _trend_rows(trend: _Trend, results: Results, angle: int) -> list[tuple[Cell,
 
 
 def _draw_trend(trend: _Trend, results: Results) -> Figure:
-    figure, panels = draw.panels(2)
+    figure, panels = draw.panels(2, width=6)
     for axes, angle, letter in zip(panels, published.AMPLITUDES, "ab", strict=True):
         fits, printed = simulated_fits(results, angle), published_fits(angle)
         x, y = getattr(fits, trend.across[0]), getattr(fits, trend.up[0])
@@ -121,8 +123,8 @@ def _draw_trend(trend: _Trend, results: Results) -> Figure:
         if trend.up[0] != "peak":  # which is not printed curve by curve
             axes.plot(getattr(printed, trend.across[0]), getattr(printed, trend.up[0]), **draw.PUBLISHED)
         draw.line(axes, trend.regression(fits), x)
-        axes.legend(frameon=False, fontsize=7)
-        draw.plain(axes, trend.across[1], trend.up[1], f"({letter}) A_p = {angle} deg")
+        draw.plain(axes, typeset(trend.across[1]), typeset(trend.up[1]), f"({letter}) $A_p$ = {angle} deg")
+        legend_beside(axes, fontsize=7)
     return figure
 
 
@@ -214,8 +216,8 @@ def _draw_damping(damped: _Damped) -> Figure:
     figure, (axes,) = draw.panels(1)
     draw.scatter(axes, damped.eta, damped.ratio, [r.case.omega_pi for r in damped.runs], "π")
     draw.line(axes, damped.regression, damped.eta)
-    axes.legend(frameon=False, fontsize=8)
-    draw.plain(axes, "η: c_b and c_c over the preset's", "b/f0")
+    draw.plain(axes, "$\\eta$: $c_b$ and $c_c$ over the preset's", "$b/f_0$")
+    legend_beside(axes)
     return figure
 
 
@@ -249,9 +251,9 @@ def fig_5_15(spec: Spec, results: Results) -> Item:
 def _draw_frequencies(omegas: list[float], rotation: list[float]) -> Figure:
     printed = [row[4] for row in published.numbers()["rotation"]["rows"] if row[0] == 3]
     figure, (axes,) = draw.panels(1)
-    axes.plot(omegas, [o / 2 for o in omegas], "o-", color=draw.COLOURS[0], label="bending f_n")
-    axes.plot(omegas, rotation, "s-", color=draw.COLOURS[3], label="rotation f_B, ours")
+    axes.plot(omegas, [o / 2 for o in omegas], "o-", color=draw.COLOURS[0], label="bending $f_n$")
+    axes.plot(omegas, rotation, "s-", color=draw.COLOURS[3], label="rotation $f_B$, ours")
     axes.plot(omegas, printed, **draw.PUBLISHED)
-    axes.legend(frameon=False)
-    draw.plain(axes, "ω_n (π rad/s)", "frequency (Hz)")
+    draw.plain(axes, "$\\omega_n$ (π rad/s)", "frequency (Hz)")
+    legend_beside(axes)
     return figure
