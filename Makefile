@@ -5,6 +5,7 @@
 # make test-kernels  run what leans on linear algebra with another kernel of OpenBLAS than the processor's own
 # make lint   ruff, clang-format, pyright, import-linter
 # make docs   the site, in build/docs: everything is made here, nothing is fetched
+# make docs-text  the same but for the gallery's pictures, in seconds
 # make bench  the speed report
 # make bench-peers  the same sheets through MuJoCo's batch and through ours
 # make fuzz   thousands of random scenarios and commands: none may crash, hang or answer with nonsense
@@ -23,7 +24,7 @@ SOURCES := pyproject.toml CMakeLists.txt $(wildcard native/*)
 # Compiled modules are kept, whatever the environment says: each command that a test starts would compile all anew.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-page test-page-fast test-fast test-kernels lint docs bench bench-peers fuzz sanitize lab lab-check clean always
+.PHONY: demo test test-page test-page-fast test-fast test-kernels lint docs docs-text bench bench-peers fuzz sanitize lab lab-check clean always
 
 $(BIN)/python:
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "plategait needs Python 3.11 or newer: make PYTHON=python3.12")'
@@ -82,6 +83,11 @@ lint: .venv/installed-lint
 docs: .venv/installed-docs
 	OPENBLAS_NUM_THREADS=1 $(BIN)/sphinx-build -q -W --keep-going -b html -d build/doctrees docs build/docs
 	@echo build/docs/index.html
+
+# The same but for the gallery's pictures, whose examples are tests.
+docs-text: .venv/installed-docs
+	OPENBLAS_NUM_THREADS=1 $(BIN)/sphinx-build -q -W --keep-going -D plot_gallery=0 -b html \
+	  -d build/doctrees-text docs build/docs-text
 
 bench: .venv/installed-test
 	$(BIN)/python -m benchmarks

@@ -68,9 +68,9 @@ def step_with(
     return Step(tuple(free), law, z, misfit)
 
 
-def backward(found: Learnt, law: str) -> list[Step]:
-    """Departures one by one, the most useful last to go: from none to all."""
-    steps = [step_with(found, NAMES, law, guesses=[np.full(len(NAMES), 0.5)])]
+def backward(found: Learnt, law: str, among: Sequence[str] = NAMES) -> list[Step]:
+    """Departures one by one, the most useful last to go: from none to all of those that may be taken."""
+    steps = [step_with(found, among, law, guesses=[np.full(len(NAMES), 0.5)])]
     while steps[-1].free:
         free, guess = steps[-1].free, steps[-1].deviations
         tried = [step_with(found, tuple(name for name in free if name != left), law, guesses=[guess]) for left in free]
