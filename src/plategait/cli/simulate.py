@@ -19,6 +19,7 @@ from plategait.files.output import PICTURES, check_outputs
 from plategait.model.scenario import Scenario
 from plategait.simulation import run
 from plategait.simulation.dataset import check_room, write_dataset
+from plategait.simulation.expectation import expect
 from plategait.simulation.result import Simulation
 from plategait.simulation.run import FILM_INTERVAL
 
@@ -100,11 +101,13 @@ def simulate(
     files.write(result)
     drawn = _drawn(build, draws, ensemble) if draws else None
     taken = laid_over.taken(scenario, nominal, friction_told=laid_over.mu_s is not None)
+    expected = expect(nominal)
     if as_json:
-        report.print_json(result.summary() | ({"draws": drawn} if drawn else {}) | ({"taken": taken} if taken else {}))
+        told = {"draws": drawn, "taken": taken, "expected": expected and expected.summary()}
+        report.print_json(result.summary() | {name: value for name, value in told.items() if value})
     else:
         report.print_simulation(result, drawn)
-        report.print_notes(taken)
+        report.print_notes([*taken, *([expected.words] if expected else [])])
     raise typer.Exit(0 if result.sound else 1)
 
 

@@ -99,7 +99,7 @@ class Sheet(Model):
             # A bar as long as the sheet rings lengthwise at π/L √(E/ρ).
             stretch = material.young_modulus * sheet.thickness * sheet.area / sheet.mass
             longest = sheet.pitch * max(sheet.lattice.occupied.shape)
-            damping = material.damping(joints, sheet._dish_of_few_nodes, math.pi / longest * math.sqrt(stretch))
+            damping = material.damping(joints, sheet.quick_natural_frequency, math.pi / longest * math.sqrt(stretch))
         return {name: getattr(sheet, name) for name in cls.model_fields} | damping
 
     @classmethod
@@ -214,8 +214,8 @@ class Sheet(Model):
         return self.free_modes.natural.omega
 
     @property
-    def _dish_of_few_nodes(self) -> float:
-        """`natural_frequency`; of more nodes than take a second, that of the same sheet at a coarser pitch."""
+    def quick_natural_frequency(self) -> float:
+        """`natural_frequency`, rad/s; of more nodes than take a second, that of the same sheet at a coarser pitch."""
         share = self.lattice.n_nodes / _NODES_FOR_DAMPING
         if share <= 1:
             return self.natural_frequency

@@ -41,6 +41,7 @@ class Question:
 
 
 QUESTIONS = (
+    Question("gait", "Why does it look like a biped, in appearance or in dynamics?", 6700.0),
     Question("torsion", "Does an isotropic plate behave otherwise than the source's free torsion, and does refining "
              "the pitch converge?", 900.0),
 )  # fmt: skip

@@ -76,6 +76,34 @@ def full_contact_limit(half_width: float, y_B: float = 0.0, gravity: float = GRA
     return gravity / (half_width + abs(y_B))
 
 
+def half_lift_limit(mean_distance: float, gravity: float = GRAVITY) -> float:
+    """``|Θ̈|`` from which a rigid object on a stiff elastic bed has the half on one side of the bar lift clear of it.
+
+    The bed's pressure is then 0 along the bar and grows evenly towards the other rim: it carries the weight m g at
+    ⟨y²⟩/⟨|y|⟩, over half of the object, and turns the inertia m ⟨y²⟩. So ``|Θ̈| = g / ⟨|y|⟩``: for a disk 3π/4 at the
+    rim, in g. Derived here; the source has (2.1) up to `full_contact_limit` only.
+
+    Parameters
+    ----------
+    mean_distance : float
+        ⟨|y|⟩, mean distance from the bar over an object that lies evenly about it, m, above 0: 4 r/(3π) for a disk.
+    gravity : float
+        Gravitational acceleration, m/s², above 0.
+
+    Returns
+    -------
+    float
+        Angular acceleration, rad/s².
+
+    Raises
+    ------
+    InputError
+        A distance or a gravity not above 0.
+    """
+    require_positive(mean_distance=mean_distance, gravity=gravity)
+    return gravity / mean_distance
+
+
 @dataclass(frozen=True, eq=False)
 class RotationMoment:
     """Friction moment about the centre of mass, split at the ξ axis (section 2.3), N·m.
