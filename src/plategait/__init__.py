@@ -125,7 +125,11 @@ __all__ = sorted(_HOME_OF)  # pyright: ignore[reportUnsupportedDunderAll]
 
 def __getattr__(name: str) -> Any:
     if name not in _HOME_OF:
-        raise AttributeError(f"module 'plategait' has no attribute {name!r}")
+        import difflib
+
+        close = difflib.get_close_matches(name, __all__, 1)
+        nearest = f"; try plategait.{close[0]}" if close else ""
+        raise AttributeError(f"module 'plategait' has no attribute {name!r}{nearest}")
     value = getattr(importlib.import_module(f"plategait.{_HOME_OF[name]}"), name)
     globals()[name] = value
     return value

@@ -15,6 +15,29 @@ def printable(text: str, most: int = MOST_LETTERS) -> str:
     return visible if len(visible) <= 2 * most else f"{visible[:half]} … {visible[-half:]}"
 
 
+def check_kind(value: object, kinds: type | tuple[type, ...], field: str, hint: str) -> None:
+    """Refuse what is of another kind than a function works on.
+
+    Parameters
+    ----------
+    kinds : type, or tuple of types
+        What it may be.
+    field : str
+        What the function calls it.
+    hint : str
+        How one comes by what it may be.
+
+    Raises
+    ------
+    InputError
+        That names both kinds.
+    """
+    if not isinstance(value, kinds):
+        names = " or ".join(kind.__name__ for kind in (kinds if isinstance(kinds, tuple) else (kinds,)))
+        plain = value is None or isinstance(value, (str, int, float))
+        raise InputError(field, value if plain else f"a {type(value).__name__}", f"a {names}", hint)
+
+
 class InputError(ValueError):
     """Bad input: names the field, what was got, what is allowed, and a value that works.
 

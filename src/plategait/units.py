@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import lru_cache
-from numbers import Real
+from numbers import Integral, Real
 from typing import Annotated, Any
 
 from pydantic import GetCoreSchemaHandler
@@ -58,6 +58,9 @@ _NUMBER = re.compile(r"([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d+)?)\s*(.*)", re.
 _POWER = r"(?:(?:\^|\*\*)-?\d|²)?"
 _NAME = rf"\(*(?:[^\W\d_]+|°){_POWER}(?:\){_POWER})*"
 _UNIT = re.compile(rf"{_NAME}(?:(?:\s*[*/·]\s*|\s+){_NAME})*")
+
+# Measures of which nobody here has one whole SI unit: who types 1 or "1" for a stroke means 1 mm.
+_IN_PARTS = {"m", "kg", "rad", "m/s", "rad/s"}
 
 # Letters of a number with its unit: the longest names of units take a few dozen.
 _LONGEST = 100
@@ -126,6 +129,12 @@ def parse(text: str, unit: str) -> float:
     return float(number) * (_factor(own_unit, unit) if own_unit else 1.0)
 
 
+def _has_unit(text: str) -> bool:
+    """Whether a unit, or anything, stands behind the number."""
+    number = _NUMBER.fullmatch(text.strip())
+    return number is not None and bool(number[2])
+
+
 def show(value: float, unit: str, display: str) -> str:
     """Write an SI value as text in the unit `display`, with digits enough to read it back the same to 1e-9."""
     return f"{value / _factor(display, unit) if display else value:.10g} {display}".strip()
@@ -175,7 +184,7 @@ class Quantity:
         InputError
             For anything but a finite number of the right dimension within the limits.
         """
-        number, got, allowed = math.nan, value, self.allowed
+        number, got, allowed, hint = math.nan, value, self.allowed, f'"{self.example}"'
         try:
             if isinstance(value, str):
                 number = parse(value, self.unit)
@@ -187,18 +196,38 @@ class Quantity:
             pass
         if number > self.above and self.at_least <= number <= self.at_most:
             smallest = self.smallest if self.above == 0 else 0.0
-            if smallest <= abs(number) <= _LARGEST:
+            if not smallest <= abs(number) <= _LARGEST:
+                size = f"{allowed}, from {smallest:g} to {_LARGEST:g}"
+                raise InputError(field, got, " ".join(filter(None, [size, self.unit, "in size"])), hint)
+            if not self._lacks_unit(value, number):
                 return number
-            allowed = " ".join(filter(None, [f"{allowed}, from {smallest:g} to {_LARGEST:g}", self.unit, "in size"]))
+            allowed = f"{allowed}, with its unit from 1 {self.unit} on"
         if math.isfinite(number) and self._means_usual_unit(value):
             got, hint = f"{number:g} {self.unit}, as a bare number is SI", f'"{number:.10g} {self.display}"'
-            raise InputError(field, got, self.allowed, hint)
-        raise InputError(field, got, allowed, f'"{self.example}"')
+        elif isinstance(value, str) and (pointed := self._with_point(value)):
+            hint = f'"{pointed}"'
+        raise InputError(field, got, allowed, hint)
+
+    def _lacks_unit(self, value: object, number: float) -> bool:
+        """Whether this is text or a whole number without a unit, as large as nobody means in SI."""
+        if self.unit not in _IN_PARTS or self.display == self.unit or abs(number) < 1:
+            return False
+        return isinstance(value, Integral) or (isinstance(value, str) and not _has_unit(value))
+
+    def _with_point(self, text: str) -> str:
+        """Text with a point for its decimal comma, where that makes it a number that is allowed; else none."""
+        pointed = text.strip().replace(",", ".")
+        if text.count(",") != 1:
+            return ""
+        try:
+            self.read(pointed, "")
+        except InputError:
+            return ""
+        return pointed
 
     def _means_usual_unit(self, value: object) -> bool:
         """Whether this is a bare number that is within the limits in the usual unit: the 3 of who means 3 deg."""
-        bare = _NUMBER.fullmatch(value.strip()) if isinstance(value, str) else None
-        if not self.unit or (bare and bare[2]):
+        if not self.unit or (isinstance(value, str) and _has_unit(value)):
             return False
         number = float(value) * _factor(self.display, self.unit)  # type: ignore[arg-type]
         return self.unit != self.display and number > self.above and self.at_least <= number <= self.at_most
@@ -212,8 +241,9 @@ class Quantity:
 
 
 # A bare number is SI. Whoever types 40 for 40 mm, 3 for 3 deg or 13.6 for 13.6 g is told, because no sheet or plate is
-# as large or as heavy, and no plate tilts further or shakes wider.
+# as large or as heavy, and no plate tilts further or shakes wider; nor is a thin object thicker than 100 mm.
 Length = Annotated[float, Quantity("m", "mm", "10 mm", above=0, at_most=10)]
+Thickness = Annotated[float, Quantity("m", "mm", "1 mm", above=0, at_most=0.1)]
 Offset = Annotated[float, Quantity("m", "mm", "0 mm", at_least=-10, at_most=10)]
 Depth = Annotated[float, Quantity("m", "mm", "0.1 mm", at_least=0)]
 Area = Annotated[float, Quantity("m^2", "mm^2", "100 mm^2", above=0)]

@@ -310,7 +310,7 @@ def folder(tmp_path, monkeypatch) -> Path:
     """Folder with files that are wrong."""
     (tmp_path / "broken.toml").write_text("name = \n")
     (tmp_path / "unknown.toml").write_text(
-        "[motion]\nfrequenzy = 3\n[sheet]\nmass = 1\naxial_stiffness = 1\nbending_stiffness = 1\n"
+        "[motion]\nfrequenzy = 3\n[sheet]\nmass = 0.01\naxial_stiffness = 1\nbending_stiffness = 1\n"
         "outline = {shape = 'disk', radius = 0.04}\n"
     )
     (tmp_path / "text.csv").write_text("frequency_hz,spin_rate_deg_s\n12,1\n13,x\n")

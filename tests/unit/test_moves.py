@@ -188,7 +188,7 @@ def test_poses_fill_the_plate():
     [
         (lambda: prepared(CHEESE.replace(plate={"length": "100 mm", "width": "100 mm"}), 3.0, 0.02), "reach \"10 mm\""),
         (lambda: prepared(CHEESE, 3.0, -1.0), "reach"),
-        (lambda: atlas(cell=(0.0, 1.0, 1.0)), "cell-along"),
+        (lambda: atlas(cell=(0.0, 1.0, 1.0)), "cell_along"),
         (lambda: atlas(generations=0), "generations"),
         (lambda: atlas(machine=Machine(x={"stroke": "3 mm"}, frequency="40 Hz"), free=("offset",)), "hold the plate"),
     ],

@@ -296,7 +296,7 @@ def test_the_finer_pitch_suggested_for_pieces_is_finer():
 
 @pytest.mark.parametrize(
     "corners",
-    [((0, 0), (1, 1)), ((0, 0), (1, 0), (2, 0)), ((0, 0), (0.04, 0.04), (0.08, 0.08)), ((1, 1), (1, 1), (1, 1)), ()],
+    [((0, 0), (0.1, 0.1)), ((0, 0), (0.1, 0), (0.2, 0)), ((0, 0), (0.04, 0.04), (0.08, 0.08)), ((0.1, 0.1),) * 3, ()],
     ids=["two", "on the axis", "on a slant", "one point", "none"],
 )
 def test_a_polygon_without_area_is_refused(corners):

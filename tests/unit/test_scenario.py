@@ -239,7 +239,7 @@ def test_an_empty_file_lacks_its_sheet(tmp_path):
         ("[sheet.outline]", "radus = 3", "sheet.outline.radus"),
         ("[sheet.outline]", "disk = 3", "sheet.outline.disk"),
         ("[motion]", "frequenzy = 3", "motion.frequenzy"),
-        ("[motion]", 'waves = [{ axis = "x", amplitude = 1, fase = 1 }]', "motion.waves.0.fase"),
+        ("[motion]", 'waves = [{ axis = "x", amplitude = 0.1, fase = 1 }]', "motion.waves.0.fase"),
         ("[motion]", "samples = { time = [0, 1], u = [0, 1] }", "motion.samples.u"),
         ("[contact]", "sticky = true", "contact.sticky"),
         ("[friction]", "mu = 1", "friction.mu"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import time
 from decimal import Decimal
 from fractions import Fraction
@@ -109,12 +110,36 @@ def test_text_becomes_si(text, quantity, expected):
     assert quantity.read(text, "f") == pytest.approx(expected, rel=1e-14)  # rounding of a few factors
 
 
-@pytest.mark.parametrize("number", [2, 2.0, np.float64(2), np.float32(2), Fraction(2), Decimal(2), "2", " 2.0 "])
+@pytest.mark.parametrize(
+    "number", [0.5, np.float64(0.5), np.float32(0.5), Fraction(1, 2), Decimal("0.5"), "0.5", " .50 "]
+)
 def test_a_bare_number_is_si(number):
-    # A modulus of 2 Pa, a density of 2 kg/m³ and ratios of 2 are refused on purpose.
-    allowing = {name: quantity for name, quantity in QUANTITIES.items() if quantity.at_least <= 2 <= quantity.at_most}
-    assert set(QUANTITIES) - set(allowing) == {"YoungModulus", "Density", "PoissonRatio", "DAMPING"}
-    assert {name: quantity.read(number, "f") for name, quantity in allowing.items()} == dict.fromkeys(allowing, 2.0)
+    # A modulus of 0.5 Pa, a density of 0.5 kg/m³ and a sheet half a metre thick are refused on purpose.
+    allowing = {name: quantity for name, quantity in QUANTITIES.items() if quantity.at_least <= 0.5 <= quantity.at_most}
+    assert set(QUANTITIES) - set(allowing) == {"YoungModulus", "Density", "Thickness"}
+    assert {name: quantity.read(number, "f") for name, quantity in allowing.items()} == dict.fromkeys(allowing, 0.5)
+
+
+@pytest.mark.parametrize("number", [2, np.int32(2), "2", " 2.0 "])
+def test_two_metres_kilograms_or_radians_say_their_unit(number):
+    # Whoever leaves the unit out means 2 mm, 2 g, 2 deg; a float, such as what np.radians gives, is SI all the same.
+    small = {name for name, q in QUANTITIES.items() if q.unit in ("m", "kg", "rad", "m/s") and q.at_most >= 2}
+    assert small == {"Angle", "ANGLE", "Length", "Mass", "Offset", "Depth", "Speed", "STROKE"}
+    for name, quantity in QUANTITIES.items():
+        if quantity.at_least <= 2 <= quantity.at_most:
+            if name in small:
+                with pytest.raises(InputError, match=rf'as a bare number is SI.*; try "2 {quantity.display}"$'):
+                    quantity.read(number, "f")
+                assert quantity.read(2.0, "f") == quantity.read(f"2 {quantity.unit}", "f") == 2
+            else:
+                assert quantity.read(number, "f") == 2
+
+
+@pytest.mark.parametrize(("typed", "meant"), [("24,5 Hz", "24.5 Hz"), ("13,6g", "13.6g"), ("0,75", "0.75")])
+def test_a_decimal_comma_is_pointed_at(typed, meant):
+    quantity = {"z": FREQUENCY, "g": QUANTITIES["Mass"]}.get(typed[-1], COEFFICIENT)
+    with pytest.raises(InputError, match=re.escape(f'try "{meant}"')):
+        quantity.read(typed, "f")
 
 
 @given(value=st.floats(1e-12, 1e12) | st.floats(-1e12, -1e-12) | st.just(0.0), name=st.sampled_from(sorted(QUANTITIES)))

@@ -15,7 +15,7 @@ from plategait.arrays import Array
 from plategait.campaign.plan import Sweep
 from plategait.campaign.points import Point, base_points
 from plategait.campaign.store import Store, check_path
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.shown import Shown
 from plategait.simulation.ensemble import TAKEN, Ensemble, mean_of_unfailed, together
 from plategait.simulation.registry import all_observables, check_name
@@ -181,6 +181,7 @@ def open_sweep(path: Path | str, *, damaged: bool = False) -> Campaign:
     InputError
         When there is no store, or it is damaged.
     """
+    check_kind(path, (str, Path), "store", '"sweep.zarr"')
     path = Path(path)
     check_path(path)
     if not os.path.isdir(path):  # as `is_dir`, but for names too long

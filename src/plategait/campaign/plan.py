@@ -13,7 +13,7 @@ from pydantic import Field, model_validator
 from plategait.campaign.values import read_values
 from plategait.engine.channels import check_series
 from plategait.engine.engines import Engine
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.files.toml import read_toml
 from plategait.model.base import Model
 from plategait.model.parameters import Parameter, Value, find_parameter, with_values
@@ -156,6 +156,7 @@ def read_sweep(path: Path | str) -> Sweep:
     InputError
         When the file cannot be read, is no TOML, or a field is not as it must be.
     """
+    check_kind(path, (str, Path), "plan", EXAMPLE)
     path = Path(path)
     data, _ = read_toml(path, "sweep", "a sweep file", EXAMPLE)
     scenario = data.get("scenario")

@@ -52,7 +52,9 @@ def _spread(parameter: Parameter, written: Mapping[str, Any]) -> list[float]:
     quantity, name = parameter.quantity, parameter.name
     hint = f"{{ from = {parameter.example}, to = {parameter.example}, count = 10 }}"
     if set(written) != {"from", "to", "count"} or quantity is None:
-        raise InputError(name, dict(written), "from, to and count", hint)
+        if {"from", "to"} <= set(written):
+            hint = f'{{ from = "{written["from"]}", to = "{written["to"]}", count = 10 }}'
+        raise InputError(name, f"a table of {', '.join(written) or 'nothing'}", "from, to and count", hint)
     count = written["count"]
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_VALUES:
         raise InputError(f"{name}.count", count, "a whole number above 0", "10")

@@ -12,6 +12,7 @@ from typer.core import TyperCommand, TyperGroup
 from typer.exceptions import TyperException
 
 from plategait.cli.help_pages import complete
+from plategait.cli.usage import usage_error
 from plategait.errors import InputError, printable
 
 if TYPE_CHECKING:
@@ -140,6 +141,8 @@ def usage_line(error: TyperException) -> str:
     context = getattr(error, "ctx", None)
     if quoted := _loose_unit(said.rpartition("(")[2].rstrip(")")):
         return f"{said}; try quotes: {quoted}"
+    if refused := usage_error(error):
+        return str(refused)
     return f"{said}; try {context.command_path if context else 'plategait'} --help"
 
 

@@ -37,6 +37,7 @@ CoefficientsName = Annotated[
 
 _MASS = Quantity("kg", "g", "13.6 g", above=0, at_most=10)
 _LENGTH = Quantity("m", "mm", "40 mm", above=0, at_most=10)
+_THICKNESS = Quantity("m", "mm", "2.5 mm", above=0, at_most=0.1)
 _HEIGHT = Quantity("m", "mm", "5 mm", at_least=-1, at_most=1)
 _CANDIDATE_ANGLE = Quantity("rad", "deg", "3 deg", above=0, at_most=math.pi / 2)
 _CANDIDATE_STROKE = Quantity("m", "mm", "3 mm", at_least=0, at_most=1)
@@ -75,7 +76,7 @@ class SetupOptions:
     @property
     def thickness_sd(self) -> float:
         """How well the thickness is known, m."""
-        return 0.0 if self.thickness is None else read_measured(self.thickness, _LENGTH, "--thickness")[1]
+        return 0.0 if self.thickness is None else read_measured(self.thickness, _THICKNESS, "--thickness")[1]
 
     @property
     def known(self) -> dict[str, tuple[float, float]]:
@@ -101,7 +102,7 @@ class SetupOptions:
         if self.plate_height is not None:
             changes["motion.height"] = self.plate_height[0]
         if self.thickness is not None:
-            changes["sheet.thickness"] = read_measured(self.thickness, _LENGTH, "--thickness")[0]
+            changes["sheet.thickness"] = read_measured(self.thickness, _THICKNESS, "--thickness")[0]
         if self.radius is not None:
             radius, outline = _LENGTH.read(self.radius, "--radius"), base.sheet.outline
             if not isinstance(outline, Disk):
@@ -305,8 +306,8 @@ def read_measured(text: str, quantity: Quantity, option: str) -> tuple[float, fl
     unit = spread.strip().lstrip("+-.0123456789eE").strip()
     value = value.strip()
     bare = value[-1:].isdigit() or value.endswith(".")
-    sd = replace(quantity, above=-math.inf, at_least=0.0).read(spread.strip(), option)
-    return quantity.read(f"{value} {unit}" if bare else value, option), sd
+    mean = quantity.read(f"{value} {unit}".strip() if bare else value, option)
+    return mean, replace(quantity, above=-math.inf, at_least=0.0).read(spread.strip(), option)
 
 
 def read_span(text: str, quantity: Quantity, option: str) -> tuple[float, float]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -77,11 +78,18 @@ def read_part(text: str | None) -> float | None:
     return _TIME.read(text, "--duration") if text is not None else None
 
 
+# Two lengths with something else than an x between.
+_BETWEEN = re.compile(r"(\d[\d.]*\s*[a-z]*)\s*(?:by|and|,|\*|;|/)\s*(\d[\d.]*\s*[a-z]*)")
+
+
 def read_size(text: str, option: str = "--plate-size") -> tuple[float, float]:
     """Length and width of a plate or an outline, m, from "100 mm x 80 mm", or "100 mm" for a square one."""
     parts = [part.strip() for part in text.lower().replace("×", "x").split("x")]
     if not 1 <= len(parts) <= 2 or not all(parts):
         raise InputError(option, text, "one length, or two with an x between", '"100 mm x 80 mm"')
+    if len(parts) == 1 and (between := _BETWEEN.fullmatch(parts[0])):
+        hint = f'"{between[1].strip()} x {between[2].strip()}"'
+        raise InputError(option, text, "one length, or two with an x between", hint)
     unit = parts[-1].lstrip("0123456789.eE+- ")
     sizes = [LENGTH.read(p if p[-1:].isalpha() else f"{p} {unit}".strip(), option) for p in parts]
     return sizes[0], sizes[-1]

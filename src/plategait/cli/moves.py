@@ -13,7 +13,6 @@ from plategait.cli import options, report
 from plategait.cli.command import refuse
 from plategait.cli.groups import grouped
 from plategait.cli.needs import MachineName
-from plategait.cli.optimize import RATE, VELOCITY
 from plategait.files.output import PICTURES, check_outputs, write_whole
 from plategait.units import Quantity
 
@@ -46,8 +45,10 @@ class AtlasOptions:
 
     def read(self) -> dict[str, Any]:
         """Options of `plategait.moves.atlas.atlas`, SI."""
-        cell = (VELOCITY.read(self.cell_along, "cell-along"), VELOCITY.read(self.cell_across, "cell-across"),
-                RATE.read(self.cell_turn, "cell-turn"))  # fmt: skip
+        from plategait.optimize.goal import RATE, VELOCITY
+
+        cell = (VELOCITY.read(self.cell_along, "cell_along"), VELOCITY.read(self.cell_across, "cell_across"),
+                RATE.read(self.cell_turn, "cell_turn"))  # fmt: skip
         free = None if self.free is None else [name.strip() for typed in self.free for name in typed.split(",")]
         return {"free": free, "cell": cell, "duration": _DURATION.read(self.duration, "duration"),
                 "reach": _REACH.read(self.reach, "reach"), "generations": self.generations, "seed": self.seed,

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from plategait.optimize.goal import Goal
     from plategait.optimize.optimum import Optimum
 
-VELOCITY = Quantity("m/s", "mm/s", "100 mm/s")
-RATE = Quantity("rad/s", "deg/s", "300 deg/s")
 _SLIP = Quantity("m", "mm", "15 mm", above=0, at_most=10)
 
 
@@ -45,12 +43,7 @@ class GoalOptions:
         """Goal in SI."""
         from plategait.optimize.goal import Goal
 
-        def read(name: str, quantity: Quantity) -> float | None:
-            typed = getattr(self, name)
-            return None if typed is None else quantity.read(typed, name)
-
-        along, across, spin = read("along", VELOCITY), read("across", VELOCITY), read("spin", RATE)
-        return Goal(along, across, spin, self.least)  # type: ignore[arg-type]
+        return Goal(self.along, self.across, self.spin, self.least)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True)

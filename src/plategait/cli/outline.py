@@ -33,12 +33,29 @@ def read_outline(text: str, option: str = "--outline") -> Outline:
     for suffix in _PICTURES:
         name, found, width = words.partition(f"{suffix} ")
         if found:
-            return Mask(image=name + suffix, width_of_picture=LENGTH.read(width, option))
+            return Mask(image=name + suffix, width_of_picture=_length(width, name + suffix, option))
     shape, _, size = words.partition(" ")
     if shape.lower() == "disk" and size:
-        return Disk(radius=LENGTH.read(size.strip(), option))
+        return Disk(radius=_length(size, "disk", option))
     kinds = {"ellipse": Ellipse, "rectangle": Rectangle}
     if shape.lower() not in kinds or not size:
-        raise InputError(option, text, _ALLOWED, '"disk 40 mm", "rectangle 90 mm x 60 mm" or corners.csv')
-    length, width = read_size(size, option)
+        meant = {"circle": "disk", "disc": "disk", "square": "rectangle", "oval": "ellipse"}.get(shape.lower(), "")
+        known = f'"{meant} {size}"' if meant and size else '"disk 40 mm", "rectangle 90 mm x 60 mm" or corners.csv'
+        raise InputError(option, text, _ALLOWED, known)
+    try:
+        length, width = read_size(size, option)
+    except InputError as error:
+        raise InputError(option, error.got, error.allowed, _beside(shape, error.hint)) from None
     return kinds[shape.lower()](length=length, width=width)
+
+
+def _length(typed: str, beside: str, option: str) -> float:
+    """Length typed behind a word, which stands before what to type instead too."""
+    try:
+        return LENGTH.read(typed.strip(), option)
+    except InputError as error:
+        raise InputError(option, error.got, error.allowed, _beside(beside, error.hint)) from None
+
+
+def _beside(word: str, hint: str) -> str:
+    return f'"{word} {hint.strip(chr(34))}"'

@@ -264,4 +264,5 @@ class CameraOptions:
             )  # type: ignore[arg-type]  # fmt: skip
         except InputError as error:
             name = error.field.partition(".")[0]
-            raise InputError(spelt.get(name, error.field), error.got, error.allowed, error.hint) from None
+            hint = '"1:1.5 s"' if name == "dark" else error.hint  # as the command line has it
+            raise InputError(spelt.get(name, error.field), error.got, error.allowed, hint) from None

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from plategait.curve.curve import Curve
 from plategait.curve.oddities import lone_frequencies, unread_columns
 from plategait.curve.outcome import UNTOLD, Outcome, read_outcome
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.files.headings import Column
 from plategait.files.output import whole_file
 from plategait.files.table import Table, read_table
@@ -80,6 +80,7 @@ def write_curve(curve: Curve, path: Path | str) -> None:
     InputError
         When the file cannot be written.
     """
+    check_kind(curve, Curve, "curve", "spin_curve(scenario, …)")
     with whole_file(path, (".csv",), "out") as temporary, open(temporary, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         observables = _written(curve)

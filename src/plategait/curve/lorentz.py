@@ -201,10 +201,22 @@ def fit_lorentzian(
     )
 
 
+def _are_numbers(values: ArrayLike) -> bool:
+    """Whether they become numbers, such as None, which stands for what was not measured."""
+    try:
+        np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        return False
+    return True
+
+
 def _checked(
     frequency: ArrayLike, rate: ArrayLike, sd: ArrayLike | None, confidence: float
 ) -> tuple[Array, Array, Array]:
     """Frequencies, rates and their sd (alike if not given) of the points that have a rate, or InputError."""
+    for field, values in (("frequency", frequency), ("rate", rate), ("sd", [] if sd is None else sd)):
+        if not _are_numbers(values):
+            raise InputError(field, values, "numbers", "[20.0, 22.0, 24.0, 26.0]")
     f, y = np.asarray(frequency, dtype=float), np.asarray(rate, dtype=float)
     sds = np.full(f.shape, np.nanmax(np.abs(y), initial=0) or 1.0) if sd is None else np.asarray(sd, dtype=float)
     if f.ndim != 1:

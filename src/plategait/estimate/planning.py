@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.estimate.candidates import Reach, reach_of
 from plategait.estimate.forecast import MOST_MEASUREMENTS, forecast_of, measurements_needed, programme
 from plategait.estimate.observations import Condition
@@ -120,6 +120,7 @@ def next_measurement(
     InputError
         For a wanted precision that is no parameter's, or not above 0.
     """
+    check_kind(posterior, Posterior, "posterior", "estimate_parameters(…).posterior")
     names = posterior.unknowns.names
     for name, value in (wanted or {}).items():
         if name not in names or not value > 0:

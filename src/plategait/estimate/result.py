@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -31,6 +31,7 @@ from plategait.model.motion import PlateMotion
 from plategait.model.presets import Preset, as_scenario
 from plategait.model.scenario import Scenario
 from plategait.shown import Shown
+from plategait.simulation.run import check_whole
 from plategait.units import Quantity
 
 _SHARE = Quantity("", "", "0.9")
@@ -299,11 +300,16 @@ def estimate_parameters(
     InputError
         For too few or too many points, or options out of range.
     """
-    curves = [as_curve(c) for c in ([curves] if isinstance(curves, (Curve, str, Path)) else curves)]
+    alone = isinstance(curves, (Curve, str, Path)) or not isinstance(curves, Iterable)
+    curves = [as_curve(c) for c in ([curves] if alone else curves)]  # type: ignore[union-attr]
     scenario = as_scenario(scenario)
     free, fixed = ([name] if isinstance(name, str) else name for name in (free, fixed))
     confidence, noise = _read_confidence(confidence), _read_noise(noise)
     ramp, model_error = _read_ramp(ramp), _read_model_error(model_error, any_law)
+    check_whole("seed", seed, 0, 2**63 - 1)
+    if motions is not None and (isinstance(motions, (str, PlateMotion)) or not isinstance(motions, Sequence)):
+        raise InputError("motions", motions if isinstance(motions, str) else f"a {type(motions).__name__}",
+                         "a list of plate motions, one for each curve", "[scenario.motion]")  # fmt: skip
     if motions is not None and len(motions) != len(curves):
         raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
                          "[scenario.motion]")  # fmt: skip

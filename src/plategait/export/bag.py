@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.export.trajectory import Trajectory
 from plategait.files.output import check_writable, whole_file
 
@@ -49,6 +49,7 @@ def write_bag(
     InputError
         When rosbags is not installed, the trajectory is a cycle, a name is none, or the file cannot be written.
     """
+    check_kind(trajectory, Trajectory, "trajectory", "trajectory(scenario.motion)")
     names = check_names(trajectory.axes, joints, topic)
     if trajectory.cycle:
         raise InputError("cycle", "a bag", "left out for a bag: a controller plays a trajectory once", "a .csv file")

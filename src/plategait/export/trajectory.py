@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.model.course import Course, Layer, gone_over, kinematics
 from plategait.model.machine import Machine, machine_of
 from plategait.model.motion import AXES, PlateMotion
 from plategait.model.needs import excess, join_duration, needs, start_duration
 from plategait.shown import Shown
-from plategait.units import FREQUENCY, Quantity
+from plategait.units import Quantity
 
 # Samples per period of the fastest sine: a cubic through positions and speeds is then within 0.1 % of its amplitude.
 LEAST_SAMPLES = 8
@@ -27,6 +27,7 @@ _SAME = 1e-9
 _LARGEST_RATIO = 1000
 _MOVES = '--stroke "3 mm"'
 _DURATION = Quantity("s", "s", "4 s", above=0)
+_RATE = Quantity("Hz", "Hz", "1 kHz", above=0)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -100,7 +101,8 @@ def trajectory(
         When the motion is beyond the machine's limits, the rate is too low, the trajectory too long, or no cycle
         closes: for frequencies without a common period, a rate that no few periods fit, or a sampled trajectory.
     """
-    hertz, shaker = FREQUENCY.read(rate, "rate"), machine_of(machine)
+    check_kind(motion, PlateMotion, "motion", "scenario.motion")
+    hertz, shaker = _RATE.read(rate, "rate"), machine_of(machine)
     _check_limits(motion, shaker)
     check_rate(motion, hertz)
     if cycle:

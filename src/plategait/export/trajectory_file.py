@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from plategait.errors import check_kind
 from plategait.export.trajectory import Trajectory
 from plategait.files.output import write_whole
 
@@ -34,6 +35,7 @@ def write_trajectory(trajectory: Trajectory, path: Path | str, field: str = "out
     InputError
         When the file cannot be written.
     """
+    check_kind(trajectory, Trajectory, "trajectory", "trajectory(scenario.motion)")
     names, columns = ["time_s"], [trajectory.time]
     for axis in trajectory.axes:
         unit, scale = ("deg", math.degrees(1)) if axis.startswith("r") else ("mm", 1e3)

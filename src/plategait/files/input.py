@@ -6,7 +6,7 @@ import os
 import stat
 from pathlib import Path
 
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 
 # What is larger is no file of ours, or one that nobody reads in a minute. Bytes.
 LARGEST_TOML = 8 << 20
@@ -20,6 +20,18 @@ _KINDS = {
 }  # fmt: skip
 # A pipe that nobody writes to is opened at once, a terminal takes no control.
 _AT_ONCE = sum(getattr(os, name, 0) for name in ("O_NONBLOCK", "O_NOCTTY", "O_CLOEXEC", "O_BINARY"))
+
+
+# What files that are no text begin with, and what they are.
+_BEGINNINGS = (
+    (b"PK\x03\x04", "a workbook or another zip archive"), (b"\xd0\xcf\x11\xe0", "a workbook of an old Excel"),
+    (b"\x89PNG", "a picture"), (b"\xff\xd8\xff", "a picture"), (b"%PDF", "a PDF"), (b"\x89HDF", "HDF5, such as netCDF"),
+)  # fmt: skip
+
+
+def kind_of(content: bytes) -> str:
+    """What a file is that is no text, as far as its first bytes tell."""
+    return next((kind for begins, kind in _BEGINNINGS if content.startswith(begins)), "no text in UTF-8")
 
 
 class UnreadableError(Exception):
@@ -64,6 +76,7 @@ def read_bytes(path: Path | str, most: int, field: str, allowed: str, hint: str)
     InputError
         When it is none, or cannot be read; names `field`, and what is `allowed` and the `hint`.
     """
+    check_kind(path, (str, Path), field, hint)
     try:
         return plain_bytes(path, most)
     except UnreadableError as error:
@@ -78,10 +91,11 @@ def read_text(path: Path | str, most: int, field: str, allowed: str, hint: str) 
     InputError
         As `read_bytes`.
     """
+    content = read_bytes(path, most, field, allowed, hint)
     try:
-        return read_bytes(path, most, field, allowed, hint).decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise InputError(field, f"{path} (no text in UTF-8)", allowed, hint) from None
+        raise InputError(field, f"{path} ({kind_of(content)})", allowed, hint) from None
 
 
 def _check(status: os.stat_result, most: int) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 
 PICTURES = (".png", ".pdf", ".svg")
 # What the system says where the place is at fault and not the program.
@@ -25,6 +25,7 @@ def check_writable(path: Path | str, suffixes: Sequence[str], field: str = "outp
     InputError
         When the suffix is none of those given, the folder is missing, or the file or folder cannot be written.
     """
+    check_kind(path, (str, Path), field, f'"result{suffixes[0]}"')
     got, path = str(path), Path(path)
     folder, stem = path.parent, Path(path.name.strip(".")).stem or "result"
     if path.suffix.lower() not in suffixes:

@@ -3,9 +3,23 @@
 from __future__ import annotations
 
 import math
+import re
 
 from plategait.errors import InputError
 from plategait.units import FREQUENCY, Quantity
+
+_NOTHING = re.compile(r"0*\.?0*\s*[a-zA-Z]*")
+# Two numbers with something between, as people write from and to, and perhaps a unit.
+_ENDS = re.compile(r"(\d+\.?\d*)\s*[a-zA-Z/]*\s*(?:-|–|:|to|bis|\.\.\.?)\s*(\d+\.?\d*)\s*([a-zA-Z/]*)")
+
+
+def _meant(text: str, *, step: bool) -> str:
+    """A range as it is written, of whatever two numbers somebody typed."""
+    ends = _ENDS.fullmatch(text.strip())
+    if ends is None or not 0 < float(ends[1]) < float(ends[2]):
+        return '"12:30:1Hz"' if step else '"10:30 Hz"'
+    unit = ends[3] or "Hz"
+    return f'"{ends[1]}:{ends[2]}:1{unit}"' if step else f'"{ends[1]}:{ends[2]} {unit}"'
 
 
 def parse_frequencies(text: str) -> list[float]:
@@ -31,7 +45,9 @@ def parse_frequencies(text: str) -> list[float]:
         count = (last - first) / step + 1
         if count < 1e5:
             return [float(f"{first + i * step:.12g}") for i in range(math.floor(count + 1e-6))]
-    raise InputError("frequency", text, "first:last:step with a unit, last not below first", '"12:30:1Hz"')
+    if separator == ":" and _NOTHING.fullmatch(pieces[0]):
+        raise InputError("frequency", text, "first:last:step with a unit, first above 0", '"1:30:1Hz"')
+    raise InputError("frequency", text, "first:last:step with a unit, last not below first", _meant(text, step=True))
 
 
 def parse_range(text: str, quantity: Quantity, field: str) -> tuple[float, float]:
@@ -44,7 +60,8 @@ def parse_range(text: str, quantity: Quantity, field: str) -> tuple[float, float
     """
     pieces = [piece.strip() for piece in text.split(":")]
     unit = pieces[-1].lstrip("0123456789.eE+- ")
-    if len(pieces) > 2:
-        raise InputError(field, text, "from:to with a unit, or one value", f'"{quantity.example}"')
+    if len(pieces) > 2 or (len(pieces) == 1 and _ENDS.fullmatch(text.strip())):
+        hint = _meant(text, step=False) if _ENDS.fullmatch(text.strip()) else f'"{quantity.example}"'
+        raise InputError(field, text, "from:to with a unit, or one value", hint)
     low, high = (quantity.read(p if p[-1:].isalpha() else f"{p} {unit}".strip(), field) for p in (pieces * 2)[:2])
     return low, high

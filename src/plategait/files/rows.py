@@ -14,7 +14,7 @@ from itertools import chain
 from pathlib import Path
 
 from plategait.errors import InputError
-from plategait.files.input import LARGEST_TABLE, read_bytes
+from plategait.files.input import LARGEST_TABLE, kind_of, read_bytes
 
 # More rows than a minute at 10 kHz, more columns than any instrument has.
 MOST_ROWS, MOST_COLUMNS = 1_000_000, 1_000
@@ -39,10 +39,15 @@ def read_rows(path: Path | str, field: str, example: str) -> tuple[list[Row], st
         When the file cannot be read, or has too many rows or columns.
     """
     allowed = "a CSV file that can be read"
+    content = read_bytes(path, LARGEST_TABLE, field, allowed, example)
+    kind = kind_of(content)
+    if "workbook" in kind:
+        hint = f"saving the sheet as {Path(path).with_suffix('.csv').name}, its first line like {example}"
+        raise InputError(field, f"{path} ({kind})", allowed, hint)
     try:
-        text = _decoded(read_bytes(path, LARGEST_TABLE, field, allowed, example))
+        text = _decoded(content)
     except UnicodeDecodeError:
-        raise InputError(field, f"{path} (no text in UTF-8)", allowed, example) from None
+        raise InputError(field, f"{path} ({kind})", allowed, example) from None
     lines, comment, separator = _contents(io.StringIO(text, newline=""))
     reader, rows = csv.reader(lines, delimiter=separator), []
     try:

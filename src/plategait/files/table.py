@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.errors import InputError, printable
+from plategait.errors import InputError, check_kind, printable
 from plategait.files.headings import Column, find_columns
 from plategait.files.rows import Row, read_rows
 
@@ -94,6 +94,7 @@ def read_table(
         When the file cannot be read, lacks a column, has one twice or in a wrong unit, has too few rows, more cells
         than headings, or holds what is no number; names the line.
     """
+    check_kind(path, (str, Path), field, '"table.csv"')
     path = Path(path)
     rows, separator = read_rows(path, field, example)
     heading = rows[0][1] if rows else []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import inspect
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Self, get_args
 
@@ -50,6 +50,21 @@ class _Many:
         return f"({self.count} …)"
 
 
+# What people call a field, which is spelt otherwise: the field, and what to type.
+_MEANT: Mapping[str, Sequence[tuple[str, str]]] = {
+    "diameter": (("radius", "radius, half of it"),),
+    "height": (("width", "width"), ("thickness", "thickness")),
+    "size": (("length", "length and width"), ("radius", "radius")),
+    "points": (("corners", "corners"),),
+    "vertices": (("corners", "corners"),),
+    "weight": (("mass", "mass"),),
+    "amplitude": (("angle", "angle for the rocking, stroke for the sliding"),),
+    "position": (("x", "x and y"),),
+    "mu": (("static", "static"),),
+    "nu": (("poisson_ratio", "poisson_ratio"),),
+    "rho": (("density", "density"),),
+}
+
 _TAGS: set[str] = set()
 """Shapes by which parts of a union are told apart: one of each model with a field `shape`."""
 
@@ -69,7 +84,9 @@ class Model(_Fields):
         if "shape" in cls.model_fields:
             _TAGS.add(cls.model_fields["shape"].default)
 
-    def __init__(self, **data: Any) -> None:
+    def __init__(self, *unnamed: object, **data: Any) -> None:
+        if unnamed:
+            raise _named_instead(type(self), unnamed[0])
         try:
             super().__init__(**data)
         except ValidationError as error:
@@ -77,6 +94,14 @@ class Model(_Fields):
             # A misspelt name is the cause where the right one is missing.
             first = next((detail for detail in details if detail["type"] == "extra_forbidden"), details[0])
             raise _input_error(type(self), first) from None
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Refuse the change, as every model is frozen, and say how a changed copy is made."""
+        try:
+            super().__setattr__(name, value)
+        except ValidationError:
+            raise InputError(name, in_words(value), f"set in a copy, as a {type(self).__name__} is frozen",
+                             f".replace({name}=…)") from None  # fmt: skip
 
     def __repr_args__(self) -> Any:
         """Fields for people: those of many numbers, such as a sampled trajectory, by how many they are."""
@@ -161,9 +186,12 @@ def unknown_field(model: type[Model], name: str) -> InputError:
     fields = [*model.model_fields, *model.also_read]
     inside = {dotted.rpartition(".")[2]: dotted for dotted in reversed(_names_inside(model))}
     close = (
-        [inside[name]] if name in inside else difflib.get_close_matches(name, fields, n=1)
-        or [field for field in fields if f"_{name}_" in f"_{field}_"]
+        [hint for field, hint in _MEANT.get(name, ()) if field in fields]
+        or ([inside[name]] if name in inside else [])
+        or difflib.get_close_matches(name, fields, n=1)
+        or [field for field in fields if f"_{name}_" in f"_{field}_" or (len(name) > 2 and field.startswith(name))]
         or [inside[found] for found in difflib.get_close_matches(name, inside, n=1, cutoff=0.8)]
+        or difflib.get_close_matches(name, fields, n=1, cutoff=0.5)
     )  # fmt: skip
     hint = close[0] if close else "leaving it out"
     return InputError(name, "nothing known by that name", f"one of {', '.join(fields)}", hint)
@@ -186,6 +214,46 @@ def _example(model: type[Model], name: str) -> str:
     return f'"{quantity.example}"' if quantity else str((model.model_fields[name].examples or ["leaving it out"])[0])
 
 
+def _named_instead(model: type[Model], got: object) -> InputError:
+    """What to raise for a value without a name: fields have no order to rely on."""
+    name = next((n for n, field in model.model_fields.items() if field.is_required()), next(iter(model.model_fields)))
+    value = repr(got) if isinstance(got, (str, int, float)) else "…"
+    return InputError(model.__name__, in_words(got), f"told its fields by name: {', '.join(model.model_fields)}",
+                      f"{model.__name__}({name}={value})")  # fmt: skip
+
+
+def in_words(got: object) -> object:
+    """What was got, of a model only its kind: all that is in it would hide the rest of the line."""
+    return f"a {type(got).__name__}" if isinstance(got, Model) else got
+
+
+def _table(model: type[Model], name: str) -> tuple[str, str]:
+    """What a part must be, and one that works, in a file and in Python."""
+    kinds = _kinds(model.model_fields[name].annotation)
+    if not kinds:
+        return "a table of its fields", _example(model, name)
+    example = _example(model, name)
+    if not example.startswith(("{", "[")):
+        field = next((n for n in kinds[0].model_fields if quantity_of(kinds[0], n)), "")
+        example = f"{{ {field} = {_example(kinds[0], field)} }}" if field else example
+    names = " or ".join(filter(None, [", ".join(kind.__name__ for kind in kinds[:-1]), kinds[-1].__name__]))
+    return f"a table of its fields, or in Python a {names}", example
+
+
+def _kinds(annotation: object) -> list[type[Model]]:
+    """Models that a part may be, whatever they are wrapped in."""
+    if isinstance(annotation, type) and issubclass(annotation, Model):
+        return [annotation]
+    return [kind for inner in get_args(annotation) for kind in _kinds(inner)]
+
+
+# What pydantic calls a number or word of the wrong kind.
+_IN_WORDS = {
+    "int": "a whole number", "float": "a number", "bool": "true or false", "string": "text", "tuple": "a list",
+    "list": "a list", "dict": "a table",
+}  # fmt: skip
+
+
 def _input_error(model: type[Model], detail: ErrorDetails) -> InputError:
     """Turn one finding of pydantic's into our one line."""
     inner = detail.get("ctx", {}).get("error")
@@ -195,20 +263,25 @@ def _input_error(model: type[Model], detail: ErrorDetails) -> InputError:
     if isinstance(inner, InputError):
         return InputError(".".join(filter(None, [field, inner.field])), inner.got, inner.allowed, inner.hint)
     kind, got = detail["type"], detail.get("input")
-    if isinstance(got, Model):
-        got = f"a {type(got).__name__}"
+    got = in_words(got)
     if kind == "extra_forbidden":
         return unknown_field(model, field)
     if kind == "missing" and len(path) == 1:
         return InputError(field, "nothing", "given", f"{field} = {_example(model, field)}")
     if kind in ("union_tag_not_found", "union_tag_invalid"):
-        return InputError(f"{field}.shape", got, f"one of {', '.join(sorted(_TAGS))}", '"disk"')
+        shape = got.get("shape", "nothing") if isinstance(got, Mapping) else got
+        close = difflib.get_close_matches(str(shape), _TAGS, n=1) or ["disk"]
+        return InputError(f"{field}.shape", shape, f"one of {', '.join(sorted(_TAGS))}", f'"{close[0]}"')
     if kind == "literal_error":
         expected = str(detail["ctx"]["expected"])  # type: ignore[typeddict-item]
         return InputError(field, got, f"one of {expected}", expected.split(" or ")[0].split(",")[0])
     _, _, allowed = detail["msg"].partition("Input should be ")
-    if kind.startswith("model_"):
-        allowed = "a table of its fields"
-    elif kind == "tuple_type":
-        allowed = "a list"
-    return InputError(field, got, allowed or "of the right form", _example(model, path[0]))
+    hint = _example(model, path[0])
+    if kind.startswith("model_") and len(path) == 2 and isinstance(got, tuple):  # the fields of a model, one by one
+        allowed, hint, field, got = "a list", f"{path[0]}=[…]", path[0], "one alone"
+    elif kind.startswith("model_"):
+        allowed, hint = _table(model, path[0])
+    else:
+        allowed = _IN_WORDS.get(kind.partition("_")[0], allowed)
+        hint = "3" if allowed == "a whole number" and hint == "leaving it out" else hint
+    return InputError(field, got, allowed or "of the right form", hint)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.files.output import whole_file
 from plategait.files.toml import read_toml
 from plategait.model.measured import CONFIDENCE, Measured
@@ -121,6 +121,7 @@ def write_fragment(fragment: Fragment, path: Path | str) -> None:
     InputError
         When the file cannot be written.
     """
+    check_kind(fragment, Fragment, "fragment", "what to_fragment() of a result gives")
     with whole_file(path, (".toml",), "--out") as temporary:
         temporary.write_text(fragment_text(fragment), encoding="utf-8")
 

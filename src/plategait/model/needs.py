@@ -6,13 +6,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 
 from plategait.arrays import Array
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.model.course import Course, Kinematics, course_of, gone_over, kinematics, most_on
-from plategait.model.machine import Machine
+from plategait.model.machine import Machine, machine_of
 from plategait.model.motion import AXES, SHORTEST_RAMP, PlateMotion
 from plategait.shown import Shown
 
@@ -49,7 +50,7 @@ class Needs(Shown):
     mean_power: float
 
 
-def needs(motion: PlateMotion, machine: Machine, *, start: bool = True) -> Needs:
+def needs(motion: PlateMotion, machine: Machine | Path | str, *, start: bool = True) -> Needs:
     """What a motion needs of a machine.
 
     Source: the loads of section 2.2.1 of the dissertation.
@@ -57,10 +58,17 @@ def needs(motion: PlateMotion, machine: Machine, *, start: bool = True) -> Needs
     Parameters
     ----------
     motion : PlateMotion
-    machine : Machine
+    machine : Machine, its name or file
     start : bool
         Whether its smooth start counts, which may need more than what follows.
+
+    Raises
+    ------
+    InputError
+        For what is no motion or no machine.
     """
+    check_kind(motion, PlateMotion, "motion", "scenario.motion")
+    machine = machine_of(machine)
     going = kinematics(course_of(motion.replace(ramp=0.0)), _times(motion))
     peaks, power = _peaks(going, machine), _power(going, machine)
     most, mean = float(power.max()), float(power.mean())

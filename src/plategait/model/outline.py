@@ -242,8 +242,9 @@ def occupied_squares(outline: Outline, pitch: float) -> NDArray[np.bool_]:
         )
     pieces = _count_pieces(inside)
     if pieces > 1:
+        whole = "corners in their order around it" if isinstance(outline, Polygon) else "a mask without gaps"
         raise InputError("outline", f"{pieces} separate pieces at a pitch of {1e3 * pitch:g} mm",
-                         "one connected piece", f"a mask without gaps, or a finer pitch such as {finer}")  # fmt: skip
+                         "one connected piece", f"{whole}, or a finer pitch such as {finer}")  # fmt: skip
     return inside
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from plategait.errors import InputError
+from plategait.model.base import in_words
 from plategait.model.contact import Contact, Friction
 from plategait.model.inferred import NOTES, with_departures
 from plategait.model.motion import PlateMotion
@@ -240,7 +241,12 @@ def as_scenario(scenario: Scenario | Preset | Path | str, field: str = "scenario
         isinstance(scenario, str) and (Path(scenario).suffix or os.path.isfile(scenario))
     ):
         return read_scenario(scenario, field)
-    raise InputError(field, scenario, f"a TOML file or one of {', '.join(PRESETS)}", _nearest(scenario))
+    if isinstance(scenario, Sheet):
+        raise InputError(field, "a Sheet", "a Scenario, a preset or a TOML file", "Scenario(sheet=…)")
+    if isinstance(scenario, (list, tuple)):
+        raise InputError(field, "a list", f"a TOML file or one of {', '.join(PRESETS)}",
+                         "cheese, or simulate_all for a list")  # fmt: skip
+    raise InputError(field, in_words(scenario), f"a TOML file or one of {', '.join(PRESETS)}", _nearest(scenario))
 
 
 def _nearest(name: object) -> str:

@@ -7,6 +7,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+from plategait.errors import check_kind
 from plategait.files.toml import read_toml
 from plategait.model.base import Model, quantity_of
 from plategait.model.scenario import Scenario
@@ -56,6 +57,7 @@ def write_scenario(scenario: Scenario, notes: dict[str, str] | None = None) -> s
     notes : dict, optional
         Remarks by dotted field name ("sheet.mass"), added to the comments.
     """
+    check_kind(scenario, Scenario, "scenario", 'preset("cheese").scenario')
     lines = _table(scenario, "", notes or {})
     return "\n".join(lines).strip() + "\n"
 

@@ -26,6 +26,7 @@ from plategait.units import (
     Length,
     Mass,
     Ratio,
+    Thickness,
 )
 
 _NODES_FOR_DAMPING = 1500
@@ -54,7 +55,7 @@ class Sheet(Model):
     )
     mass: Mass = Field(description="M, whole mass, shared evenly by the nodes")
     pitch: Length = Field(default=0.01, description="l, distance between nodes")
-    thickness: Length = Field(
+    thickness: Thickness = Field(
         default=0.0025, description="d, drawn and used to convert measurements; contact is at mid-plane"
     )
     bending_stiffness: BendingStiffness = Field(description="k_b")

@@ -80,5 +80,5 @@ def check_sizes(sizes: tuple[float, float, float]) -> Array:
     for name, size, example in zip(("along", "across", "turn"), sizes, ("50 mm/s", "20 mm/s", "100 deg/s"),
                                    strict=True):  # fmt: skip
         if not (math.isfinite(size) and size > 0):
-            raise InputError(f"cell-{name}", size, "a size above 0", example)
+            raise InputError(f"cell_{name}", size, "a size above 0", example)
     return np.array(sizes)

@@ -38,7 +38,10 @@ SHARE, LEAST_VELOCITY, LEAST_RATE = 0.03, 5e-3, math.radians(5)
 """A velocity is reached within this share of it, and within as much in any case: m/s and rad/s."""
 AIMED = 0.5
 """Share of that within which a search keeps, so that runs from other starts reach it too."""
-_COMPONENTS = ("along", "across", "spin")
+VELOCITY = Quantity("m/s", "mm/s", "100 mm/s", at_least=-10, at_most=10)
+RATE = Quantity("rad/s", "deg/s", "300 deg/s", at_least=-math.radians(36e3), at_most=math.radians(36e3))
+"""What may be sought: nothing slides at 10 m/s, or turns a hundred times a second."""
+_COMPONENTS = {"along": VELOCITY, "across": VELOCITY, "spin": RATE}
 
 
 @dataclass(frozen=True)
@@ -49,7 +52,7 @@ class Goal:
     ----------
     along, across, spin : float, optional
         Mean velocity to reach along the bar and across it, m/s, and turning, rad/s, counter-clockwise positive; what is
-        left out may be anything. With all left out the fastest spin either way is sought.
+        left out may be anything. Text may carry a unit. With all left out the fastest spin either way is sought.
     least : {"acceleration", "torque", "power", "bending"}, optional
         What is to be least while that is reached (`COSTS`); the acceleration if left out.
     """
@@ -61,10 +64,9 @@ class Goal:
 
     def __post_init__(self) -> None:
         """Refuse a cost where nothing is to be reached, and what is no number or no cost."""
-        for name in _COMPONENTS:
-            value = getattr(self, name)
-            if value is not None and not math.isfinite(value):
-                raise InputError(name, value, "a finite velocity", "100 mm/s" if name != "spin" else "300 deg/s")
+        for name, quantity in _COMPONENTS.items():
+            if (value := getattr(self, name)) is not None:
+                object.__setattr__(self, name, quantity.read(value, name))
         if self.least is not None and self.least not in COSTS:
             raise InputError("least", self.least, f"one of {', '.join(COSTS)}", "power")
         if self.least is not None and self.fastest:

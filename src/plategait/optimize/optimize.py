@@ -11,7 +11,7 @@ import numpy as np
 
 from plategait.campaign.cluster import connected
 from plategait.engine.engines import Engine
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.model.fragment import Fragment, overlay
 from plategait.model.machine import Machine, machine_of
 from plategait.model.presets import Preset, as_scenario
@@ -43,7 +43,7 @@ def optimize_motion(
     machine: Machine | Path | str = "source-robot",
     goal: Goal | None = None,
     *,
-    ranges: Mapping[str, tuple[float, float]] | None = None,
+    ranges: Mapping[str, tuple[float, float] | str] | None = None,
     free: Sequence[Freedom] | None = None,
     measured: Sequence[Fragment] = (),
     draws: int = 0,
@@ -69,7 +69,8 @@ def optimize_motion(
     goal : Goal, optional
         The fastest spin by default.
     ranges : mapping of str to (low, high), optional
-        Of "frequency", "angle" and "stroke", SI; alike where it is not to vary. What the machine can by default.
+        Of "frequency", "angle" and "stroke", SI or text ("10:30 Hz"); alike where it is not to vary. What
+        the machine can by default.
     free : sequence of str, optional
         Further freedoms (`plategait.optimize.space.FREEDOMS`); by default none, or where the object is to travel all.
     measured : sequence of Fragment
@@ -100,6 +101,7 @@ def optimize_motion(
         For bad input, when the package `cma` is not installed, or no cluster answers.
     """
     goal = goal or Goal()
+    check_kind(goal, Goal, "goal", 'Goal(spin="300 deg/s")')
     _check_numbers(draws, searches, seed, {"chance_of_failure": chance_of_failure, "confidence": confidence})
     objects = _objects(as_scenario(scenario), measured, goal, draws, seed)
     shaker = machine_of(machine)
@@ -142,7 +144,7 @@ def _space(
     scenario: Scenario,
     machine: Machine,
     goal: Goal,
-    ranges: Mapping[str, tuple[float, float]],
+    ranges: Mapping[str, tuple[float, float] | str],
     free: Sequence[Freedom] | None,
 ) -> Space:
     """Motions to choose from for an object; refuses a plate that is too small for it, and a cost that is not known."""

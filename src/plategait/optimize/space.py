@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -11,6 +12,7 @@ import numpy as np
 
 from plategait.arrays import Array, Flags
 from plategait.errors import InputError
+from plategait.files.ranges import parse_range
 from plategait.model.machine import Machine
 from plategait.model.motion import AXES, Held, PlateMotion, Wave
 from plategait.optimize.within import fitted
@@ -189,7 +191,7 @@ def _sine_and_cosine(axis: str, ratio: float, values: Mapping[str, float]) -> li
 def space_of(
     base: PlateMotion,
     machine: Machine,
-    ranges: Mapping[str, tuple[float, float]],
+    ranges: Mapping[str, tuple[float, float] | str],
     free: Sequence[Freedom] = (),
     *,
     both_ways: bool = False,
@@ -202,7 +204,8 @@ def space_of(
     base : PlateMotion
     machine : Machine
     ranges : mapping of str to (low, high)
-        Of "frequency", "angle" and "stroke", SI; alike where it is not to vary. All that the machine can by default.
+        Of "frequency", "angle" and "stroke", SI or text ("10:30 Hz"); alike where it is not to vary. All that
+        the machine can by default.
     free : sequence of str
         Further freedoms (`FREEDOMS`).
     both_ways : bool
@@ -218,6 +221,10 @@ def space_of(
     """
     if base.samples is not None:
         raise InputError("scenario", "a sampled trajectory", "one of sines, which can vary", "cheese")
+    for name in ranges:
+        if name not in PLAIN:
+            close = difflib.get_close_matches(name, PLAIN, 1) or ["frequency"]
+            raise InputError(name, "nothing known by that name", f"one of {', '.join(PLAIN)}", close[0])
     variables, fixed = [], {}
     for name, quantity in PLAIN.items():
         low, high = _range(name, quantity, machine, ranges)
@@ -252,7 +259,7 @@ def freedoms_of(machine: Machine) -> tuple[Freedom, ...]:
 
 
 def _range(
-    name: str, quantity: Quantity, machine: Machine, ranges: Mapping[str, tuple[float, float]]
+    name: str, quantity: Quantity, machine: Machine, ranges: Mapping[str, tuple[float, float] | str]
 ) -> tuple[float, float]:
     """Range of what always varies, within what the machine can."""
     axis = {"angle": "rx", "stroke": "x"}.get(name)
@@ -266,10 +273,11 @@ def _range(
             raise InputError(name, "nothing", f"given as a range, as {machine.name} has no limit of it",
                              f'--{name} "{quantity.example}"')  # fmt: skip
         return limit * (_SLOWEST if axis is None else _LEAST), limit
-    low, high = ranges[name]
+    low, high = _told(ranges[name], quantity, name)
     if not (low <= high and math.isfinite(high) and low >= 0 and (low > 0 or axis is not None)):
+        turned = f"{said(high).split()[0]}:{said(low)}" if 0 < high < low else quantity.example
         raise InputError(name, f"{said(low)} to {said(high)}", "from a least to a most, neither below 0",
-                         f'--{name} "{said(min(high, low) or limit)}"')  # fmt: skip
+                         f'--{name} "{turned}"')  # fmt: skip
     if high > limit * (1 + 1e-9):
         what = (
             f"at most {said(limit)}, which {machine.name} can"
@@ -277,6 +285,16 @@ def _range(
             else f"0, as {machine.name} does not move {axis}"
         )
         raise InputError(name, said(high), what, f'--{name} "{said(limit)}"')
+    return low, high
+
+
+def _told(told: object, quantity: Quantity, name: str) -> tuple[float, float]:
+    """Ends of a range as it was told, SI: two numbers, or text."""
+    if isinstance(told, str):
+        return parse_range(told, quantity, name)
+    if not isinstance(told, Sequence) or len(told) != 2:
+        raise InputError(name, told, "a least and a most", f'("{quantity.example}", "{quantity.example}")')
+    low, high = (quantity.read(end, name) for end in told)
     return low, high
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from plategait.engine.channels import CHANNELS, ROTATION
 from plategait.engine.recording import RunRequest
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.files.output import check_writable, write_whole
 from plategait.memory import available_memory, in_words
 from plategait.model.scenario_file import write_scenario
@@ -45,6 +45,9 @@ def dataset_of(simulation: Simulation) -> xarray.Dataset:
     simulation : Simulation
         What was simulated; its channels stand there in SI, with units and names.
     """
+    from plategait.simulation.result import Simulation
+
+    check_kind(simulation, Simulation, "simulation", "simulate(scenario)")
     import xarray
 
     longest = max(simulation.recordings, key=lambda r: len(r["time"]))

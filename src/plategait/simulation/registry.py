@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from plategait.arrays import Array, Flags
 from plategait.engine.channels import CHANNELS
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 from plategait.model.scenario import Scenario
 from plategait.simulation import observables
 from plategait.simulation.energy import EnergyLedger
@@ -249,6 +249,7 @@ def add_observable(observable: Observable) -> None:
     InputError
         When there is another of that name.
     """
+    check_kind(observable, Observable, "observable", "Observable(name, unit, long_name, measure)")
     if _added.get(observable.name) is not observable:
         _check_free(observable.name, all_observables(), "observable")
     _added[observable.name] = observable

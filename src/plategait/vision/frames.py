@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from plategait.arrays import Array, Flags, Picture
-from plategait.errors import InputError
+from plategait.errors import InputError, check_kind
 
 # Pixels that differ by more levels than this count as changed: a codec changes a repeated picture by less.
 CHANGED_LEVELS = 4
@@ -127,6 +127,7 @@ def open_video(source: Path | str, *, fps: float | None = None, seconds: float |
         When there is no such file or camera, it is no video, holds no picture (audio only), or is cut short so that
         nothing can be read.
     """
+    check_kind(source, (str, Path, int), "video", _WORKS)
     if fps is not None and not 0 < fps < 1e6:
         raise InputError("--fps", fps, "frames per second, above 0", "120")
     if seconds is not None and not seconds > 0:

@@ -15,6 +15,7 @@ from plategait.export.mjcf.plate import add_plate, start_of_plate
 from plategait.export.mjcf.sheet import add_bodies, add_nodes, add_shell
 from plategait.files.output import write_whole
 from plategait.model.motion import rotation_of
+from plategait.model.presets import Preset, as_scenario
 from plategait.model.scenario import Scenario
 from plategait.version import __version__
 
@@ -23,14 +24,14 @@ Form = Literal["nodes", "shell"]
 FORMS: tuple[Form, ...] = get_args(Form)
 
 
-def mjcf(scenario: Scenario, form: Form = "nodes", time_step: float | None = None) -> str:
+def mjcf(scenario: Scenario | Preset | Path | str, form: Form = "nodes", time_step: float | None = None) -> str:
     """MJCF of a scenario, for MuJoCo 4.
 
     Source: docs/export.md says how near the scene is to this package's own runs.
 
     Parameters
     ----------
-    scenario : Scenario
+    scenario : Scenario, or what tells one
     form : {"nodes", "shell"}
         The sheet as this package's lattice (point masses, springs along its lines, rods that bend), or as MuJoCo's own
         shell of the same plate stiffness and in-plane stiffness.
@@ -44,6 +45,7 @@ def mjcf(scenario: Scenario, form: Form = "nodes", time_step: float | None = Non
     """
     if form not in FORMS:
         raise InputError("form", form, " or ".join(FORMS), FORMS[0])
+    scenario = as_scenario(scenario)
     motion = scenario.motion.replace(ramp=0.0)
     if motion.samples is not None:
         raise InputError("motion.samples", "a sampled trajectory", "left out: MJCF drives a plate by sines",
@@ -72,7 +74,11 @@ def mjcf(scenario: Scenario, form: Form = "nodes", time_step: float | None = Non
 
 
 def write_mjcf(
-    scenario: Scenario, path: Path | str, form: Form = "nodes", time_step: float | None = None, field: str = "output"
+    scenario: Scenario | Preset | Path | str,
+    path: Path | str,
+    form: Form = "nodes",
+    time_step: float | None = None,
+    field: str = "output",
 ) -> None:
     """Write a scenario as an MJCF file, which ends in .xml (see `mjcf`).
 
