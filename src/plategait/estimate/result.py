@@ -300,20 +300,15 @@ def estimate_parameters(
     InputError
         For too few or too many points, or options out of range.
     """
-    alone = isinstance(curves, (Curve, str, Path)) or not isinstance(curves, Iterable)
-    curves = [as_curve(c) for c in ([curves] if alone else curves)]  # type: ignore[union-attr]
+    curves = _read_curves(curves)
     scenario = as_scenario(scenario)
     free, fixed = ([name] if isinstance(name, str) else name for name in (free, fixed))
     confidence, noise = _read_confidence(confidence), _read_noise(noise)
     ramp, model_error = _read_ramp(ramp), _read_model_error(model_error, any_law)
     check_whole("seed", seed, 0, 2**63 - 1)
-    if motions is not None and (isinstance(motions, (str, PlateMotion)) or not isinstance(motions, Sequence)):
-        raise InputError("motions", motions if isinstance(motions, str) else f"a {type(motions).__name__}",
-                         "a list of plate motions, one for each curve", "[scenario.motion]")  # fmt: skip
-    if motions is not None and len(motions) != len(curves):
-        raise InputError("motions", f"{len(motions)} of them", f"one for each of {len(curves)} curves",
-                         "[scenario.motion]")  # fmt: skip
-    scenario, motions = _at_height_of(curves, scenario, motions or [scenario.motion] * len(curves))
+    scenario, motions = _at_height_of(
+        curves, scenario, _read_motions(motions, len(curves)) or [scenario.motion] * len(curves)
+    )
     data = observe_curves(curves, motions, Handling(ramp=ramp))
     scenario = _observed_as(scenario, curves)
     parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed, measured=measured)
@@ -321,6 +316,22 @@ def estimate_parameters(
                                    seed=seed, threads=threads, progress=progress)  # fmt: skip
     marginals = tuple(marginal_of(p, posterior.u[:, i], confidence) for i, p in enumerate(parameters.parameters))
     return Estimate(posterior, marginals, goodness_of_fit(posterior), confidence, thickness_sd)
+
+
+def _read_curves(curves: Curve | Path | str | Iterable[Curve | Path | str]) -> list[Curve]:
+    alone = isinstance(curves, (Curve, str, Path)) or not isinstance(curves, Iterable)
+    return [as_curve(c) for c in ([curves] if alone else curves)]  # type: ignore[union-attr]
+
+
+def _read_motions(motions: Sequence[PlateMotion] | None, count: int) -> Sequence[PlateMotion] | None:
+    if motions is None:
+        return None
+    if isinstance(motions, str) or not isinstance(motions, Sequence):
+        raise InputError("motions", motions if isinstance(motions, str) else f"a {type(motions).__name__}",
+                         "a list of plate motions, one for each curve", "[scenario.motion]")  # fmt: skip
+    if len(motions) != count:
+        raise InputError("motions", f"{len(motions)} of them", f"one for each of {count} curves", "[scenario.motion]")
+    return motions
 
 
 def _read_confidence(value: float) -> float:

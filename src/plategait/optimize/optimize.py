@@ -69,8 +69,7 @@ def optimize_motion(
     goal : Goal, optional
         The fastest spin by default.
     ranges : mapping of str to (low, high), optional
-        Of "frequency", "angle" and "stroke", SI or text ("10:30 Hz"); alike where it is not to vary. What
-        the machine can by default.
+        Of "frequency", "angle", "stroke", SI or text ("10:30 Hz"); the machine's by default, alike to vary nothing.
     free : sequence of str, optional
         Further freedoms (`plategait.optimize.space.FREEDOMS`); by default none, or where the object is to travel all.
     measured : sequence of Fragment
@@ -100,8 +99,7 @@ def optimize_motion(
     InputError
         For bad input, when the package `cma` is not installed, or no cluster answers.
     """
-    goal = goal or Goal()
-    check_kind(goal, Goal, "goal", 'Goal(spin="300 deg/s")')
+    goal = _read_goal(goal)
     _check_numbers(draws, searches, seed, {"chance_of_failure": chance_of_failure, "confidence": confidence})
     objects = _objects(as_scenario(scenario), measured, goal, draws, seed)
     shaker = machine_of(machine)
@@ -138,6 +136,11 @@ def _check_numbers(draws: int, searches: int, seed: int, shares: Mapping[str, fl
         if not _LEAST_SHARE <= share <= 1 - _LEAST_SHARE:
             raise InputError(name, share, f"a share from {_LEAST_SHARE} to {1 - _LEAST_SHARE}",
                              "0.9" if name == "confidence" else "0.05")  # fmt: skip
+
+
+def _read_goal(goal: Goal | None) -> Goal:
+    check_kind(goal or Goal(), Goal, "goal", 'Goal(spin="300 deg/s")')
+    return goal or Goal()
 
 
 def _space(
