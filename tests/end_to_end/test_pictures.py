@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 import av
 import pytest
 from PIL import Image
+
+from plategait.cli import report
 
 COMMAND = str(Path(sys.executable).with_name("plategait"))
 
@@ -31,6 +34,36 @@ def test_simulate_writes_every_picture_and_the_data(tmp_path):
     with av.open(str(tmp_path / "run.mp4")) as film:
         assert film.streams.video[0].codec_context.name == "h264"
         assert sum(1 for _ in film.decode(video=0)) > 10
+
+
+@pytest.fixture
+def bars(monkeypatch) -> dict[str, list[float]]:
+    """What bars of progress there were, and which fractions they were told."""
+    told: dict[str, list[float]] = {}
+
+    @contextmanager
+    def bar(what: str):
+        yield told.setdefault(what, []).append
+
+    monkeypatch.setattr(report, "progress_bar", bar)
+    return told
+
+
+@pytest.mark.parametrize("typed", [
+    ("simulate", "cheese", "--duration", "0.04 s", "--film", "f.mp4"),
+    ("shoot", "cheese", "f.mp4", "--seconds", "0.2", "--size", "320x240"),
+])  # fmt: skip
+def test_progress_is_told_while_a_film_is_drawn(called, bars, tmp_path, typed):
+    called(*typed, cwd=tmp_path, check=0)
+    for what in ("simulating", "filming"):
+        assert bars[what][-1] == pytest.approx(1.0)
+        assert bars[what] == sorted(bars[what])
+    assert len(bars["filming"]) > 3
+
+
+def test_progress_is_told_while_the_dissertation_s_figures_are_made_and_drawn(called, bars, tmp_path):
+    called("thesis", "fig2.6", "fig5.3", cwd=tmp_path, check=0)
+    assert bars == {"simulating": [0.5, 1.0], "drawing": [0.5, 1.0]}
 
 
 @pytest.mark.parametrize("suffix", ["png", "pdf", "svg"])

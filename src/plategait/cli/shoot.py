@@ -92,8 +92,10 @@ def shoot(
     settle = min(1.0, to_film.measured_from)
     to_film = to_film.replace(duration=settle + filming.seconds + 0.05, transient=settle)
     appearance = filming.appearance(seed)
+    shapes = to_film.motion.period / SHAPES_PER_PERIOD
+    with report.progress_bar("simulating") as progress:
+        run = simulate(to_film, seed=seed, snapshot_interval=shapes, progress=progress)
     with report.progress_bar("filming") as progress:
-        run = simulate(to_film, seed=seed, snapshot_interval=to_film.motion.period / SHAPES_PER_PERIOD)
         truth = film(
             run, out, filming.camera(to_film), filming.fps, appearance, seconds=filming.seconds, progress=progress
         )

@@ -67,7 +67,8 @@ class OutputOptions:
             from plategait import render
 
             if self.film:
-                render.film(result, self.film)
+                with report.progress_bar("filming") as progress:
+                    render.film(result, self.film, progress=progress)
             if self.filmstrip:
                 render.filmstrip(result, self.filmstrip)
 
@@ -119,7 +120,7 @@ def _drawn(
 
     generator = np.random.default_rng(ensemble.seed)
     scenarios = [build(generator=generator) for _ in range(draws)]
-    with report.progress_bar("drawing") as progress:
+    with report.progress_bar("simulating draws") as progress:
         runs = run.simulate_all(scenarios, seed=ensemble.seed, engine=ensemble.engine, progress=progress)
     failed = sum(r.failed for r in runs)
     rates = np.degrees([r.spin_rate for r in runs if math.isfinite(r.spin_rate)])

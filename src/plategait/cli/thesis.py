@@ -37,7 +37,8 @@ def thesis(
     prepare_folder(out)
     with report.progress_bar("simulating") as progress:
         study = reproduce(items or None, seed=seed, repeats=repeats, progress=progress)
-    page = write_report(study, out)
+    with report.progress_bar("drawing") as progress:
+        page = write_report(study, out, progress)
     if as_json:
         return report.print_json(study.summary() | {"report": str(page)})
     for item in study.items:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from html import escape
 from pathlib import Path
 
@@ -14,8 +15,10 @@ from plategait.thesis.study import Study
 from plategait.version import __version__
 
 
-def write_report(study: Study, folder: Path | str) -> Path:
+def write_report(study: Study, folder: Path | str, progress: Callable[[float], object] | None = None) -> Path:
     """Write report.html, figures (PNG) and tables (CSV) of a study into a folder, and say where the page is.
+
+    `progress` is called with the fraction done.
 
     Raises
     ------
@@ -24,7 +27,7 @@ def write_report(study: Study, folder: Path | str) -> Path:
     """
     folder = prepare_folder(folder)
     pictures: dict[str, bytes] = {}
-    for item in study.items:
+    for number, item in enumerate(study.items, start=1):
         for stem, figure in item.figures:
             pictures[stem] = figure if isinstance(figure, bytes) else png(figure)
             write_whole(pictures[stem], folder / f"{stem}.png", (".png",), "--out")
@@ -32,6 +35,8 @@ def write_report(study: Study, folder: Path | str) -> Path:
             write_table(table, folder / f"{table.name}.csv")
         if item.comparisons:
             write_table(_comparison_table(item), folder / f"{item.name}-comparison.csv")
+        if progress is not None:
+            progress(number / len(study.items))
     page = folder / "report.html"
     write_whole(_page(study, pictures).encode(), page, (".html",), "--out")
     return page
