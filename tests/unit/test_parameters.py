@@ -27,6 +27,14 @@ EVERYTHING = CHEESE.replace(
 NUMBERS = [name for name, parameter in parameters_of(EVERYTHING).items() if parameter.quantity]
 
 
+@pytest.mark.parametrize("typed", ["10 pi rad/s", "3.5 pi rad/s", "5 Hz", "31 rad/s"])
+def test_a_natural_frequency_is_told_as_it_was_typed(typed):
+    parameter = find_parameter("natural_frequency")
+    value = parameter.read(typed)
+    assert parameter.text_of(value) == ("10 pi rad/s" if typed == "5 Hz" else typed)  # which are the same
+    assert parameter.read(parameter.text_of(value)) == pytest.approx(value)
+
+
 def floats_of(value: object, name: str = "") -> list[str]:
     """Every float inside a model, by dotted name, without asking what it measures."""
     if isinstance(value, float):

@@ -1,4 +1,4 @@
-"""What the commands print: a table for people, one JSON object for programs, progress for the patient."""
+"""What the commands print of runs and curves, one JSON object for programs, progress for the patient."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from plategait.cli.tables import print_table as print_table
 from plategait.curve.curve import Curve
 from plategait.curve.lorentz import LorentzFit
 from plategait.errors import printable
@@ -46,22 +47,6 @@ def print_json(numbers: dict[str, Any]) -> None:
     text = json.dumps(numbers, indent=2, ensure_ascii=False, allow_nan=False)
     # JSON itself escapes only the control characters of ASCII.
     print("".join(c if c.isprintable() or c == "\n" else json.dumps(c)[1:-1] for c in text))
-
-
-def print_table(title: str, columns: list[str], rows: list[list[str]]) -> None:
-    """Print a table with a title."""
-    from rich import box
-    from rich.console import Console
-    from rich.markup import escape
-    from rich.table import Table
-
-    table = Table(title=escape(printable(title)), title_justify="left", box=box.SIMPLE_HEAD)
-    for i, column in enumerate(columns):
-        table.add_column(column, justify="left" if i == 0 else "right")
-    for row in rows:
-        table.add_row(*(escape(printable(cell)) for cell in row))
-    # A pipe has no width: leave room enough that nothing is folded.
-    Console(width=None if sys.stdout.isatty() else 120).print(table)
 
 
 def print_notes(notes: Iterable[str]) -> None:

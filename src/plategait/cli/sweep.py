@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -87,8 +88,6 @@ def _print(campaign: Campaign) -> None:
         rows.append(["failed in part", f"{s['partly_failed_points']} points"])
         rows.append(["energy does not balance", f"{s['open_ledgers']} runs"])
     if "fastest" in s:
-        from plategait.units import show
-
         where = ", ".join(f"{p.name} {p.text_of(s['fastest']['at'][p.name])}" for p in campaign.plan.parameters)
-        rows.append(["fastest spin", f"{show(round(s['fastest']['spin_rate_rad_s'], 4), 'rad/s', 'deg/s')} at {where}"])
+        rows.append(["fastest spin", f"{math.degrees(s['fastest']['spin_rate_rad_s']):.1f} deg/s at {where}"])
     report.print_table(f"{s['title']}: {s['store']}", ["", ""], rows)

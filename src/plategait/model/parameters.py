@@ -12,6 +12,7 @@ sheet's own dish mode, unless `with_values` is told what the sheet's is called: 
 from __future__ import annotations
 
 import difflib
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -68,9 +69,13 @@ class Parameter:
         return value
 
     def text_of(self, value: Value) -> str:
-        """Text with the unit that people write."""
+        """Text with the unit that people write; a natural frequency in π rad/s or Hz where it is round in that."""
         if self.quantity is None or isinstance(value, str):
             return str(value)
+        if self.name == "natural_frequency":
+            for unit, size in (("pi rad/s", math.pi), ("Hz", 2 * math.pi)):
+                if abs(value / size - round(value / size, 2)) < 1e-8 * value / size:
+                    return f"{round(value / size, 2):g} {unit}"
         return show(float(f"{value:.12g}"), self.quantity.unit, self.quantity.display)
 
 
