@@ -113,3 +113,17 @@ def test_every_command_and_every_option_says_what_it_is():
         if parameter.param_type_name == "option" and not parameter.help
     ]
     assert silent == []
+
+
+def test_the_first_screen_says_what_it_does_and_shows_it_in_ten_lines():
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    code, commands, lab = re.findall(r"```(?:python|sh)\n(.*?)```", readme, re.S)[:3]
+    pieces = ["Simulates a thin soft object", "![A slice", code, commands, lab, "## What it is for"]
+    places = [readme.index(piece) for piece in pieces]
+    assert places == sorted(places)
+    assert len(code.splitlines()) == 10
+    assert readme[: places[-1]].count("\n") < 50, "a screen"
+    compile(code, "README.md", "exec")
+    assert {name.split(".")[0] for name in re.findall(r"pg\.(\w+)", code)} <= set(pg.__all__)
+    assert [line.split("#")[0].strip() for line in commands.splitlines()] == ["make demo", "make test"]
+    assert lab.startswith("plategait lab ")

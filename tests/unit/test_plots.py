@@ -88,6 +88,17 @@ def test_a_curve_tells_its_amplitudes_and_runs_and_what_the_bars_are():
     assert "3 to 12 deg" in " ".join(text.get_text() for text in plots.plot_curve(of_several).axes[0].texts)
 
 
+def test_rates_out_of_phase_and_long_names_are_seen_whole():
+    name = "a measurement with a name that goes on and on, as files in laboratories have them, " * 4
+    figure = plots.plot_curve(replace(a_curve(), name=name, fit=None, spin_rate_deg_s=-20 * FREQUENCY))
+    axes = figure.axes[0]
+    assert axes.get_ylim()[1] == 0
+    assert_legible(figure)
+    title = axes._left_title.get_window_extent()  # type: ignore[attr-defined]
+    assert title.x1 <= figure.bbox.x1
+    assert title.y1 <= figure.bbox.y1
+
+
 @pytest.mark.parametrize("peak", [15.0, 24.0, 29.0])
 def test_no_words_lie_over_data(peak):
     rate = lorentzian(FREQUENCY, 500.0, peak, 2.0)

@@ -68,7 +68,10 @@ def plot_curve(curve: Curve) -> Figure:
         axes.plot(f[left_out], rate[left_out], "x", color=GREY, ms=9, mew=1.2, zorder=4, label="left out of the fit")
     label_axes(axes, FREQUENCY, SPIN_RATE)
     # Only a spin rate out of phase is below zero.
-    axes.set_ylim(bottom=min(0.0, 1.05 * float(np.nanmin(np.append(rate, 0.0)))))
+    low, high = float(np.nanmin(np.append(rate, 0.0))), float(np.nanmax(np.append(rate, 0.0)))
+    axes.set_ylim(bottom=min(0.0, 1.05 * low))
+    if high <= 0 > low:
+        axes.set_ylim(top=0.0)
     kinds = [kind for kind, fails in zip(curve.failure, failed, strict=True) if fails]
     draw_failures(axes, [Failures(f[failed], kinds)])
     head(axes, curve.name, [line for line in (_conditions(curve), *_fit_in_words(curve)) if line])
@@ -238,8 +241,9 @@ def plot_modes(sheet: Sheet, count: int = 6) -> Figure:
     modes = sheet.free_modes.modes[:count]
     columns = min(4, max(1, len(modes)))
     rows = max(1, math.ceil(len(modes) / columns))
-    figure = new_figure(2.4 * columns + 1.0, 2.5 * rows + 0.6)
     lattice = sheet.lattice
+    slender = min(2.0, max(0.35, lattice.occupied.shape[1] / lattice.occupied.shape[0]))
+    figure = new_figure(2.4 * columns + 1.0, (1.9 * slender + 0.7) * rows + 0.6)
     figure.suptitle(plain_text(f"{sheet.name}: free-vibration modes"), x=0.01, ha="left", fontsize=11)
     panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
     half = 500 * sheet.pitch * np.array(lattice.occupied.shape)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -95,7 +96,9 @@ def head(axes: Axes, name: str, details: Sequence[str] = ()) -> None:
     details : sequence of str
         Lines in Matplotlib's mathtext; see `plain_text`.
     """
-    axes.set_title(name, loc="left", fontsize=_NAME, parse_math=False, pad=6 + 1.45 * SMALL * len(details))
+    broad = int(11 * axes.figure.bbox.width / axes.figure.dpi)  # letters in a line, about
+    title = "\n".join(textwrap.wrap(name, broad, max_lines=2, placeholder=" …"))
+    axes.set_title(title, loc="left", fontsize=_NAME, parse_math=False, pad=6 + 1.45 * SMALL * len(details))
     if details:
         axes.annotate("\n".join(details), (0, 1), (0, 5), xycoords="axes fraction", textcoords="offset points",
                       va="bottom", fontsize=SMALL, linespacing=1.35)  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, label_axes, new_figure
+from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, label_axes, legend_below, new_figure
 from plategait.study.aims import HAS_FIT, KIND, OF_CURVE, PUBLISHED_F0, PUBLISHED_RATIO, residuals_of
 from plategait.study.evaluation import FITS_FROM
 from plategait.study.source import QUANTILES, SourceStudy
@@ -20,14 +20,14 @@ def draw_departures(study: SourceStudy) -> Figure:
     axes = figure.add_subplot()
     count = range(len(study.steps))
     axes.plot(count, [s.misfit for s in study.steps], "o--", color=BLUE, mfc="white", ms=5, label="misfit")
-    axes.plot(count, [s.criterion for s in study.steps], "o-", color=BLUE, ms=5, label="misfit and k ln n")
+    axes.plot(count, [s.criterion for s in study.steps], "o-", color=BLUE, ms=5, label="misfit and $k\\,\\ln n$")
     for number, (less, more) in enumerate(zip(study.steps, study.steps[1:], strict=False), start=1):
         names = ", ".join(sorted({*more.free} - {*less.free}))
         axes.annotate(names, (number, more.criterion), (0, 8), textcoords="offset points", rotation=60, fontsize=7)
     axes.plot(len(study.chosen.free), study.chosen.criterion, "*", color="black", ms=13, label="chosen")
     label_axes(axes, "departures from what is printed", "sum of squared deviations")
     axes.set_ylim(bottom=0)
-    axes.legend(frameon=False, fontsize=8)
+    legend_below(figure)
     return figure
 
 
@@ -46,7 +46,7 @@ def draw_unknowns(study: SourceStudy) -> Figure:
     axes.axvline(0, color=GREY, lw=0.8)
     axes.set_yticks(places, NAMES)
     label_axes(axes, "standard deviations of the prior from the printed value", "")
-    axes.legend(frameon=False, fontsize=8)
+    legend_below(figure)
     return figure
 
 
@@ -65,8 +65,7 @@ def draw_curves(study: SourceStudy) -> Figure:
                 colour, marker = _TOLD[told.name]
                 axes.plot(printed, told.fits[0, :, column], marker, color=colour, mfc="none", ms=5, label=told.name)
         label_axes(axes, f"published {label}", f"simulated {label}")
-    if any(told.name in _TOLD for told in study.told):
-        panels[0].legend(frameon=False, fontsize=8)
+    legend_below(figure)
     return figure
 
 
@@ -77,7 +76,10 @@ def draw_front(study: SourceStudy) -> Figure:
     curves = squares[:, OF_CURVE | HAS_FIT].sum(axis=1)
     figure = new_figure(9.0, 4.2)
     panels = figure.subplots(1, 2)
-    for axes, kind, label in ((panels[0], "R² of α", "R² of α on b/f0"), (panels[1], "12 Hz", "rate at 12 deg, 12 Hz")):
+    for axes, kind, label in (
+        (panels[0], "R² of α", "$R^2$ of $\\alpha$ on $b/f_0$"),
+        (panels[1], "12 Hz", "rate at 12 deg, 12 Hz"),
+    ):
         other = squares[:, kind == KIND].sum(axis=1)
         axes.plot(curves, other, ".", color=GREY, ms=4)
         order = np.argsort(curves)
@@ -86,7 +88,7 @@ def draw_front(study: SourceStudy) -> Figure:
         label_axes(axes, "squared deviations of the 44 curves", f"squared deviations of {label}")
         axes.set_xscale("log")
         axes.set_yscale("log")
-    panels[0].legend(frameon=False, fontsize=8)
+    legend_below(figure)
     return figure
 
 
