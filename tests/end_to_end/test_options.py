@@ -24,7 +24,7 @@ from plategait.identify import examples
 
 Typed = tuple[str, ...]
 # Commands that are made from the catalogue; a name that it has and this list has not is found out.
-QUESTIONS = ("gait", "torsion")
+QUESTIONS = ("gait", "phases", "torsion")
 
 
 @dataclass(frozen=True)

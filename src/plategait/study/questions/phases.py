@@ -163,10 +163,11 @@ def answer(runs: Runs, question: Question) -> Answer:
     rates = {name: greatest(found.means, name, *RATIOS) for name, _ in _SHOWN}
     verdict = (
         "The ratio decides what becomes of the object, the phase how much of it and which way: shaking at the "
-        f"frequency of rocking or three times it turns ({math.degrees(rates['spin_rate']):.0f} deg/s), twice it carries along "
-        f"the bar ({1e3 * rates['velocity_x']:.0f} mm/s), half-integers carry across it "
+        f"frequency of rocking or three times it turns ({math.degrees(rates['spin_rate']):.0f} deg/s), twice it "
+        f"carries along the bar ({1e3 * rates['velocity_x']:.0f} mm/s), half-integers carry across it "
         f"({1e3 * rates['velocity_y']:.0f} mm/s); the best phase falls from {phases[0]:.0f} deg at "
-        f"{FREQUENCIES[0]:g} Hz to {phases[-1]:.0f} deg at {FREQUENCIES[-1]:g} Hz, so that the source's phase is nearly the best at the peak and far from it below."
+        f"{FREQUENCIES[0]:g} Hz to {phases[-1]:.0f} deg at {FREQUENCIES[-1]:g} Hz, so that the source's phase is "
+        "nearly the best at the peak and far from it below."
     )
     notes = (
         "Why the ratio decides: rocking looks the same half a period later in the mirror across the bar, shaking half "
