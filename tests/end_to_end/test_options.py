@@ -75,6 +75,7 @@ POSTERIOR = typed(
     method="linear", beta="0.5", free="mass", noise="5%", duration="3 s", slip_limit="15 mm", ramp="0.2 s",
     model_error="0.5", any_law="", confidence="95%", next="", seed="3", want_frequency="1 rad/s", want_angle="1 deg",
     out="o.toml", plot="p.png", json="", fixed="bending_damping", height="6 mm", thickness="2 mm",
+    outline="rectangle 60 mm", pitch="8 mm", material="silicone-dragon-skin-30", young="0.5 MPa",
 )  # fmt: skip
 MANY = but(POSTERIOR, "--next", "--want-frequency", "--want-angle", "--plot", "--out") | typed(
     store="kept", dask="host:1", fragments="objects", out="o.csv"
@@ -91,13 +92,13 @@ SHOT = OBJECT | typed(
     frequency="20 Hz", fps="60", size="640x360", elevation="70", no_markers="", noise="4", exposure="0.5", crf="30",
     hidden="0.3", seed="4", seconds="0.3", json="",
 )  # fmt: skip
-OPTIMIZE = typed(
+OPTIMIZE = MADE | typed(
     machine="shaker.toml", spin="2 rad/s", along="0.1 m/s", across="0 mm/s", frequency="20:30 Hz", angle="1:5 deg",
     stroke="2 mm", free="phase,ratio", _with="measured.toml", duration="3 s", slip_limit="20 mm",
     chance_of_failure="10%", confidence="95%", searches="2", seed="3", engine="cpu64", store="runs", dask="host:1",
     out="o.toml", plot="p.png", json="",
 )  # fmt: skip
-MOVES = typed(
+MOVES = MADE | typed(
     machine="shaker.toml", free="phase,offset", cell_along="40 mm/s", cell_across="10 mm/s", cell_turn="90 deg/s",
     duration="2 s", reach="10 mm", generations="2", seed="3", engine="cpu64", store="moved", dask="host:1",
     out="o.json", plot="p.png", json="",
@@ -129,7 +130,9 @@ MODES = [
     Mode(("export", "--out", "m.csv", "--frequency", "12 Hz"), MOVED | typed(out="n.csv", cycle="")),
     Mode(("export", "--out", "m.csv", "--cycle"), JSON, ("--duration",)),
     Mode(("export", "--out", "m.xml"),
-         typed(out="n.xml", form="shell", dt="5e-5 s", frequency="20 Hz", angle="2 deg", stroke="2 mm", json="")),
+         MADE
+         | typed(out="n.xml", form="shell", dt="5e-5 s", frequency="20 Hz", angle="2 deg", stroke="2 mm", json="")),
+    Mode(("export", "--out", "m.xml", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("export", "--out", "m.mcap", "--frequency", "12 Hz"), MOVED | typed(out="n.mcap", joints="a,b", topic="/to")),
     Mode(("modes",), MADE | typed(sheet="pancake", natural_frequency="8 Hz", count="3", plot="p.png", json="")),
     Mode(("modes", "--young", "0.5 MPa"), OF_A_MATERIAL, ("--sheet", "--natural-frequency")),
@@ -140,6 +143,8 @@ MODES = [
     Mode(("lab", "done.zarr"), typed(out="o.html", no_open="")),
     Mode(("needs",), typed(machine="shaker.toml", frequency="20 Hz", angle="5 deg", stroke="2 mm", json="")),
     Mode(("optimize",), OPTIMIZE, ("--least", "--draws")),
+    Mode(("optimize", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
+    Mode(("moves", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("optimize", "--spin", "2 rad/s"), typed(least="power", along="0 mm/s"), ()),
     Mode(("optimize", "--with", "measured.toml"), typed(draws="4"), ()),
     Mode(("moves",), MOVES, ("--beside",)),
@@ -160,6 +165,8 @@ MODES = [
     Mode(("scenario", "--print", "cheese"), MADE | typed(plate_size="150 mm")),
     Mode(("scenario", "--print", "cheese", "--material", "silicone-dragon-skin-30"), OF_A_MATERIAL, ()),
     Mode(("estimate", "peak.csv"), POSTERIOR),
+    Mode(("estimate", "peak.csv", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
+    Mode(("estimate-all", "peak.csv", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("estimate", "peak.csv", "--next"),
          typed(candidate_angle="5 deg", candidate_stroke="2 mm", candidate_height="0:20 mm", candidate_phase="90 deg",
                candidate_frequency="10:20 Hz", machine="shaker.toml"), ("--coefficients",)),

@@ -155,6 +155,8 @@ def test_no_key_is_a_field_and_no_joint_is_left_out():
 def test_every_named_material_makes_a_sheet_and_says_where_it_is_from(named):
     assert named.low <= named.material.young_modulus <= named.high
     assert named.source
+    # What nobody could read at a source names none for its modulus.
+    assert (named.checked == "unconfirmed") == (named.source.startswith("typical") or named.name == "pancake")
     sheet = pg.Sheet.from_material(OUTLINE, thickness="1 mm", material=named.name)
     assert math.isfinite(sheet.natural_frequency)
     assert sheet.natural_frequency > 0

@@ -60,7 +60,7 @@ def estimate(
     base = setup.build()
     curves = [read_curve(path) for path in curve_files]
     refuse_redundant(context, curves)
-    base, curves = sized_by_film(base, curves, told=setup.radius is not None)
+    base, curves = sized_by_film(base, curves, told=setup.size_told)
     motions = setup.motions(base, len(curves))
     if method == "posterior":
         base = measured_as(base, measurement.protocol)

@@ -94,10 +94,10 @@ def _asked(
 
     base, angles = setup.build(), tuple(setup.amplitudes)
     if method != "posterior":
-        return Asked(base, angles, method, coefficients, setup.radius is not None)
+        return Asked(base, angles, method, coefficients, setup.size_told)
     scenario = measured_as(base, measurement.protocol)
     told = measurement.options(setup, seed)
-    return Asked(scenario, angles, radius_told=setup.radius is not None, options=told)
+    return Asked(scenario, angles, radius_told=setup.size_told, options=told)
 
 
 def _write(outcomes: tuple[Outcome, ...], out: Path | None, fragments: Path | None) -> None:

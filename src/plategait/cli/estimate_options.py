@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from plategait.cli import options, report
+from plategait.cli.material_options import MaterialOptions
 from plategait.curve.protocol import USUAL, Protocol
 from plategait.errors import InputError
 from plategait.model.fragment import read_fragment
@@ -68,6 +69,43 @@ class SetupOptions:
         str | None, typer.Option("--thickness", help='For Young\'s modulus: "2.5 mm" or "2.5 ± 0.1 mm".')
     ] = None
 
+    outline: Annotated[
+        str | None,
+        typer.Option("--outline", help='Cut to: "disk 40 mm" (radius), "rectangle 90 mm x 60 mm", corners.csv, …'),
+    ] = None
+    pitch: Annotated[str | None, typer.Option("--pitch", help='Distance between nodes: "5 mm".')] = None
+    material: Annotated[
+        str | None, typer.Option("--material", help="Made of one of `plategait materials`, as a first guess of it.")
+    ] = None
+    young: Annotated[
+        str | None,
+        typer.Option("--young", help='First guess of Young\'s modulus, which is read anew: "0.5 MPa".'),
+    ] = None
+    density: Annotated[str | None, typer.Option("--density", help='Of the material: "1100 kg/m^3".')] = None
+    poisson: Annotated[str | None, typer.Option("--poisson", help="Poisson's ratio of the material.")] = None
+    loss_factor: Annotated[
+        str | None, typer.Option("--loss-factor", help="Damping, tan delta at the dish mode: 0.1.")
+    ] = None
+    damping_ratio: Annotated[
+        str | None, typer.Option("--damping-ratio", help="Or the damping ratio of the dish mode: 0.05.")
+    ] = None
+
+    @property
+    def size_told(self) -> bool:
+        """Whether the object's size was typed."""
+        return self.radius is not None or self.outline is not None
+
+    @property
+    def made(self) -> MaterialOptions:
+        """What the object is cut to and made of; its mass and thickness are the measured ones, laid over any sheet."""
+        made = MaterialOptions(outline=self.outline, pitch=self.pitch, material=self.material, young=self.young,
+                               density=self.density, poisson=self.poisson, loss_factor=self.loss_factor,
+                               damping_ratio=self.damping_ratio)  # fmt: skip
+        if not made.of_a_material:
+            return made
+        thickness = None if self.thickness is None else read_measured(self.thickness, _THICKNESS, "--thickness")[0]
+        return replace(made, mass=self.mass, thickness=None if thickness is None else f"{thickness!r} m")
+
     @property
     def plate_height(self) -> tuple[float, float] | None:
         """Height of the plate and how well it is known, m."""
@@ -97,7 +135,9 @@ class SetupOptions:
 
     def build(self) -> Scenario:
         """Scenario of the object; the lattice grows with the radius."""
-        base = options.build(self.scenario, stroke=self.stroke, measured=self.measured)
+        if self.radius is not None and self.outline is not None:
+            raise InputError("--radius", self.radius, "left out beside --outline", f'--outline "disk {self.radius}"')
+        base = options.build(self.scenario, made=self.made, stroke=self.stroke, measured=self.measured)
         changes: dict[str, Any] = {}
         if self.plate_height is not None:
             changes["motion.height"] = self.plate_height[0]

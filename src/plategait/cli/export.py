@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -9,6 +10,8 @@ import typer
 
 from plategait.cli import options, report
 from plategait.cli.command import refuse
+from plategait.cli.groups import grouped
+from plategait.cli.material_options import MaterialOptions
 from plategait.cli.needs import Frequency, MachineName
 from plategait.errors import InputError
 from plategait.export import bag, trajectory_file
@@ -39,6 +42,7 @@ Form = Annotated[
 ]
 
 
+@grouped
 def export(
     context: typer.Context,
     out: Out,
@@ -53,6 +57,8 @@ def export(
     joints: Joints = None,
     topic: Topic = bag.TOPIC,
     form: Form = "nodes",
+    *,
+    made: MaterialOptions,
     dt: options.Dt = None,
     as_json: options.Json = False,
 ) -> None:
@@ -65,7 +71,8 @@ def export(
         refuse(context, ["rate", "machine", "cycle", "duration", "joints", "topic"],
                "for a scene, which MuJoCo moves by itself", "--out motion.csv for a trajectory")  # fmt: skip
     else:
-        refuse(context, ["form", "dt"], "for a trajectory", "--out scene.xml for a scene")
+        alone = ["form", "dt", *(field.name for field in fields(MaterialOptions))]
+        refuse(context, alone, "for a trajectory", "--out scene.xml for a scene")
     if kind in bag.SUFFIXES:
         refuse(context, ["cycle"], "for a bag, which a controller plays once", "a .csv file for a cycle")
         bag.check_bag(out, "--out")
@@ -77,22 +84,22 @@ def export(
     if cycle:
         refuse(context, ["duration"], "for a cycle, which has its own", "--cycle alone")
     hertz = FREQUENCY.read(frequency, "--frequency") if frequency is not None else None
-    built = options.build(scenario, frequency=hertz, angle=angle, stroke=stroke, dt=dt)
+    built = options.build(scenario, made=made, frequency=hertz, angle=angle, stroke=stroke, dt=dt)
     if kind in scene.SUFFIXES:
         _write_scene(built, out, form, as_json)
         return
-    made = _trajectory(built, rate, machine, duration, cycle)
-    numbers = _numbers(made, out, machine)
+    way = _trajectory(built, rate, machine, duration, cycle)
+    numbers = _numbers(way, out, machine)
     if kind in bag.SUFFIXES:
-        names = bag.check_names(made.axes, None if joints is None else joints.split(","), topic)
-        bag.write_bag(made, out, joints=names, topic=topic, field="--out")
+        names = bag.check_names(way.axes, None if joints is None else joints.split(","), topic)
+        bag.write_bag(way, out, joints=names, topic=topic, field="--out")
         numbers |= {"joints": list(names), "topic": topic}
     else:
-        trajectory_file.write_trajectory(made, out, "--out")
+        trajectory_file.write_trajectory(way, out, "--out")
     if as_json:
         report.print_json(numbers)
     else:
-        _print(made, out, machine)
+        _print(way, out, machine)
 
 
 def _write_scene(built: Scenario, out: Path, form: scene.Form, as_json: bool) -> None:

@@ -12,6 +12,7 @@ import typer
 from plategait.cli import options, report
 from plategait.cli.command import refuse
 from plategait.cli.groups import grouped
+from plategait.cli.material_options import MaterialOptions
 from plategait.cli.needs import MachineName
 from plategait.files.output import PICTURES, check_outputs, write_whole
 from plategait.units import Quantity
@@ -61,7 +62,8 @@ def moves(
     scenario: options.ScenarioName = "cheese",
     machine: MachineName = "source-robot",
     *,
-    made: AtlasOptions,
+    made: MaterialOptions,
+    sought: AtlasOptions,
     store: Annotated[
         Path | None, typer.Option("--store", help="Folder that keeps what was run: killed, it goes on from there.")
     ] = None,
@@ -84,9 +86,10 @@ def moves(
     from plategait.moves.atlas import atlas
     from plategait.moves.report import reached_in, summary
 
+    laid_over = options.build(scenario, made=made)
     others = [reached_in(path, "--beside") for path in beside or []]
     with report.going_on_in(store), report.progress_bar("searching") as progress:
-        found = atlas(scenario, machine, **made.read(), store=store, dask=dask, progress=progress)
+        found = atlas(laid_over, machine, **sought.read(), store=store, dask=dask, progress=progress)
     numbers = summary(found)
     if out:
         write_whole(json.dumps(numbers, indent=1, ensure_ascii=False).encode(), out, (".json",), "--out")

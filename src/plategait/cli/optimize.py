@@ -12,6 +12,7 @@ import typer
 from plategait.cli import options, report
 from plategait.cli.command import refuse
 from plategait.cli.groups import grouped
+from plategait.cli.material_options import MaterialOptions
 from plategait.cli.needs import MachineName
 from plategait.files.output import PICTURES, check_outputs, write_whole
 from plategait.files.ranges import parse_range
@@ -97,9 +98,9 @@ class TrialOptions:
     seed: Annotated[int, typer.Option("--seed", help="Of what is tried and of the starts.")] = 0
     engine: options.Engine = "cpu"
 
-    def laid_over(self, scenario: str) -> Scenario:
+    def laid_over(self, scenario: str, made: MaterialOptions) -> Scenario:
         """Scenario of a name with these laid over it."""
-        built = options.build(scenario, duration=self.duration)
+        built = options.build(scenario, made=made, duration=self.duration)
         if self.slip_limit is None:
             return built
         return built.replace(slip_limit=_SLIP.read(self.slip_limit, "slip_limit"))
@@ -111,6 +112,7 @@ def optimize(
     scenario: options.ScenarioName = "cheese",
     machine: MachineName = "source-robot",
     *,
+    made: MaterialOptions,
     sought: GoalOptions,
     may_vary: RangeOptions,
     measured: options.With = None,
@@ -138,7 +140,7 @@ def optimize(
     confidence = options.read_share(tried.confidence, "--confidence")
     with report.going_on_in(store), report.progress_bar("optimizing") as progress:
         optimum = optimize_motion(
-            tried.laid_over(scenario), machine, sought.goal(), ranges=may_vary.ranges(),
+            tried.laid_over(scenario, made), machine, sought.goal(), ranges=may_vary.ranges(),
             free=may_vary.freedoms(),  # type: ignore[arg-type]
             measured=[read_fragment(path) for path in measured or []], draws=draws,
             chance_of_failure=permitted, confidence=confidence,

@@ -14,6 +14,7 @@ from plategait.errors import InputError
 from plategait.lab.lean import every, lean
 from plategait.lab.scenario_json import flat, plain_scenario
 from plategait.model.parameters import SHORTHANDS
+from plategait.model.remade import OF_A_MATERIAL, THICKNESS
 from plategait.simulation.registry import all_observables
 
 MOST_POINTS = 1500
@@ -85,7 +86,7 @@ def _points(store: Campaign, kept: NDArray[np.int64], points: list[Point]) -> li
     out = store.outcomes
     rate, spread, time = (lean(column[kept]) for column in (out.rate, out.spread, out.failure_time))
     names = [p.name for p in store.plan.parameters]
-    by_field = not any(name in SHORTHANDS for name in names)
+    by_field = not any(name in SHORTHANDS or name in OF_A_MATERIAL or name == THICKNESS for name in names)
     nominal = flat(plain_scenario(store.plan.scenario)[0])
     told = []
     for i, place in enumerate(kept.tolist()):

@@ -4,7 +4,9 @@ Sweeps, measured fragments, options of the command line, unknowns of an estimate
 scenarios through this module alone.
 
 Shorthands stand for what several fields tell together: ``natural_frequency`` (k_b and k_t scaled, mass kept),
-``friction_angle`` (μ_s, with μ_k/μ_s kept) and ``friction_ratio`` (μ_k over μ_s). A natural frequency is that of the
+``friction_angle`` (μ_s, with μ_k/μ_s kept) and ``friction_ratio`` (μ_k over μ_s). A sheet of a material has
+``sheet.young_modulus`` and ``sheet.density`` as well, and its ``sheet.thickness`` is the material's: joints, mass and
+dampers follow. A natural frequency is that of the
 sheet's own dish mode, unless `with_values` is told what the sheet's is called: the source calls Table 4.1's sheet 10π
 (`plategait.model.presets.NOMINAL_NATURAL_FREQUENCY`), whose dish mode is 10.3π.
 """
@@ -20,6 +22,7 @@ from typing import Any, Literal, get_origin
 
 from plategait.errors import InputError
 from plategait.model.base import Model
+from plategait.model.remade import OF_A_MATERIAL, THICKNESS, material_of, remade
 from plategait.model.scenario import Scenario
 from plategait.units import ANGULAR_FREQUENCY, Quantity, show
 
@@ -99,6 +102,11 @@ def find_parameter(name: str, scenario: Scenario | None = None) -> Parameter:
     """
     if name in SHORTHANDS:
         return Parameter(name, SHORTHANDS[name])
+    if name in OF_A_MATERIAL and (scenario is None or material_of(scenario.sheet)):
+        return Parameter(name, OF_A_MATERIAL[name])
+    if name in OF_A_MATERIAL:
+        raise InputError(name, "a sheet whose joints are those of no material", "left out for it",
+                         "natural_frequency, or young_modulus in the sheet's own file")  # fmt: skip
     parameters = parameters_of(scenario or _plainest())
     if name in parameters:
         return parameters[name]
@@ -123,6 +131,8 @@ def value_of(scenario: Scenario, name: str) -> Any:
         return scenario.sheet.natural_frequency
     if name in SHORTHANDS:
         return scenario.friction.angle if name == "friction_angle" else scenario.friction.ratio
+    if name in OF_A_MATERIAL:
+        return getattr(material_of(scenario.sheet), name.rpartition(".")[2])
     value: Any = scenario
     for part in name.split("."):
         value = value[int(part)] if isinstance(value, tuple) else getattr(value, part)
@@ -151,6 +161,10 @@ def with_values(scenario: Scenario, values: Mapping[str, Any], nominal: float | 
             raise InputError(field, f"set beside {shorthand}", f"left out where {shorthand} is given", shorthand)
     if not values:
         return scenario
+    made = _of_the_material(scenario, values)
+    if made:
+        scenario = scenario.with_valid(sheet=remade(scenario.sheet, made))
+        values = {name: value for name, value in values.items() if name not in made}
     parts = scenario.fields_with({name: value for name, value in values.items() if name not in SHORTHANDS})
     if "natural_frequency" in values:
         parts["sheet"] = parts["sheet"].with_natural_frequency(values["natural_frequency"], nominal)
@@ -159,6 +173,16 @@ def with_values(scenario: Scenario, values: Mapping[str, Any], nominal: float | 
     if "friction_ratio" in values:
         parts["friction"] = parts["friction"].with_ratio(values["friction_ratio"])
     return Scenario(**parts)
+
+
+def _of_the_material(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, float]:
+    """What is told of the sheet's material, SI: a thickness too, where the sheet is of one."""
+    names = [name for name in values if name in OF_A_MATERIAL]
+    if THICKNESS in values and "sheet" not in values and (names or material_of(scenario.sheet)):
+        names.append(THICKNESS)
+    if names and "natural_frequency" in values:
+        raise InputError(names[0], values[names[0]], "left out beside natural_frequency", "one of the two")
+    return {name: float(find_parameter(name, scenario).read(values[name])) for name in names}
 
 
 def kinetic_follows(values: Mapping[str, Any], scenario: Scenario) -> dict[str, Any]:
