@@ -26,6 +26,7 @@ _DRAWN_BY = {
     "Estimate": ("estimate.figures", "plot_estimate"),
     "Optimum": ("optimize.figures", "plot_optimum"),
     "Simulation": ("plots.figures", "plot_run"),
+    "Following": ("control.figures", "plot_following"),
     "Steering": ("control.figures", "plot_steering"),
     "Track": ("vision.figures", "plot_track"),
     "BendingResult": ("identify.bending.figures", "plot_bending"),

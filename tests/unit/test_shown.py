@@ -12,7 +12,11 @@ import pytest
 from legible import assert_legible
 
 import plategait as pg
+from plategait.control.follow import Following, along
 from plategait.control.goal import Goal
+from plategait.control.pair_figures import plot_pair
+from plategait.control.pair_reach import PairReach
+from plategait.control.path import Path
 from plategait.control.steer import Arrival, Steering
 from plategait.shown import MOST_LINES, Shown, in_short
 from plategait.vision.spin import Spin
@@ -86,6 +90,38 @@ def test_a_way_to_goals_draws_itself():
     names = [text.get_text() for text in figure.legends[0].get_texts()]
     assert {"goal, reached", "goal, not reached"} <= set(names)
     assert "3 mm and 5 deg" in figure.get_suptitle()
+
+
+def a_way(to: Goal, reached: bool) -> Steering:
+    time = np.linspace(0.0, 2.0, 60)
+    poses = np.outer(time / 2, [to.x, to.y, 1.0]) + 0.001 * np.sin(40 * time)[:, None]
+    arrival = Arrival(to, reached, 1.5, 0.001, 0.02, 3, "" if reached else "out of time")
+    return Steering((arrival,), time, poses, poses, np.tile(to.pose, (60, 1)), ())
+
+
+def test_a_way_along_a_path_draws_itself_and_tells_how_near_it_stayed():
+    points = np.linspace((0.0, 0.0), (0.02, 0.01), 50)
+    path, way = Path(points, np.arange(50) >= 10), a_way(Goal(0.02, 0.01), True)
+    followed = Following(path, way, *along(points, way.poses[:, :2]))
+    figure = followed.plot()
+    assert_legible(figure)
+    assert {"path", "start"} <= {text.get_text() for text in figure.legends[0].get_texts()}
+    assert "mm r.m.s." in repr(followed)
+    assert "reached" in repr(followed)
+
+
+def test_two_sheets_on_one_plate_are_told_by_their_dash_and_their_goals_by_their_mark():
+    places = np.linspace(-0.04, 0.04, 5)
+    times = np.full((5, 5, 12), 3.0)
+    times[0, 0] = np.inf
+    scenario = pg.preset("cheese").scenario
+    ways = a_way(Goal(0.02, 0.01), True), a_way(Goal(-0.05, -0.03), False)
+    figure = plot_pair(PairReach(places, np.full((5, 5), 6), times), ways, scenario)
+    assert_legible(figure)
+    drawn = [line for line in figure.axes[1].get_lines() if str(line.get_label()).startswith("way of")]
+    assert len({line.get_linestyle() for line in drawn}) == 2
+    names = {text.get_text() for text in figure.legends[0].get_texts()}
+    assert {"goal, reached", "goal, not reached"} <= names
 
 
 def test_a_clip_draws_itself():

@@ -39,6 +39,12 @@ def test_a_row_too_wide_becomes_lines_under_what_it_is_of(printed):
     assert lines == ["t", "", "mode 1", "  shape  twist", "  rate   a rate of 0.00 rad/s", ""]
 
 
+def test_headings_go_on_in_the_next_line_before_any_cell_does(printed):
+    columns, row = ["", "goal", "turned off by", "number of pulses"], ["1", "5 mm, 0 mm, any angle", "2.1 deg", "4"]
+    lines = printed(46, "t", columns, [row])
+    assert [line for line in lines if all(cell in line for cell in row)]
+
+
 def test_without_headings_a_row_s_values_stand_in_one_line(printed):
     lines = printed(48, "t", ["", "", ""], [["bending stiffness", "0.00279 (0.0027 to 0.0029)", "N*mm/deg"]])
     assert lines[2:4] == ["bending stiffness", "  0.00279 (0.0027 to 0.0029) N*mm/deg"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from textwrap import wrap
 
 from plategait.errors import printable
 
@@ -17,13 +18,15 @@ _ROOMY, _TIGHT, _EDGES = 3, 1, 1
 def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Print a table with a title; where the terminal is too narrow for it, a few lines for each of its rows."""
     from rich import box
+    from rich.cells import cell_len
     from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
     columns = [printable(column) for column in columns]
     cells = [[printable(cell) for cell in row] for row in rows]
-    bare = sum(_column_widths(columns, cells)) + _EDGES
+    widths = _column_widths(columns, cells)
+    bare = sum(widths) + _EDGES
     console = Console(width=_width(bare + _ROOMY * len(columns)))
     # A value of two columns may go on in the next line; where there are more, nobody finds its number again.
     if bare + _TIGHT * len(columns) > console.width and len(columns) > 2:
@@ -34,8 +37,10 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
         return
     padding = (0, 1 if bare + _ROOMY * len(columns) <= console.width else 0)
     table = Table(title=escape(printable(title)), title_justify="left", box=box.SIMPLE_HEAD, padding=padding)
-    for i, column in enumerate(columns):
-        table.add_column(escape(column), justify="left" if i == 0 else "right", overflow="fold")
+    crowded = sum(map(max, widths, map(cell_len, columns))) + _EDGES + _ROOMY * len(columns) > console.width
+    for i, (column, width) in enumerate(zip(columns, widths, strict=True)):
+        heading = "\n".join(wrap(column, width)) if crowded and column else column
+        table.add_column(escape(heading), justify="left" if i == 0 else "right", overflow="fold")
     for row in cells:
         table.add_row(*map(escape, row))
     console.print(table)

@@ -95,7 +95,7 @@ def _legend(figure: Figure, way: Steering, goals: Sequence[Goal]) -> None:
     legend_below(figure, handles)
 
 
-def plot_following(following: Following, scenario: Scenario, title: str = "") -> Figure:
+def plot_following(following: Following, scenario: Scenario | None = None, title: str = "") -> Figure:
     """How far the object was from each point of its path when it came by, and its way along the path."""
     figure = new_figure(11.0, 4.8)
     left, right = figure.subplots(1, 2, width_ratios=(1.25, 1))

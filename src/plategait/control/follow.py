@@ -17,14 +17,15 @@ from plategait.control.path import Path, check_path
 from plategait.control.plant import Plant
 from plategait.control.pulse import Pulses
 from plategait.control.steer import Steering, steer
+from plategait.shown import Shown
 
 # Moves of an object below which it counts as lying still, m, and how often a path may take the time it is expected to.
 _STILL = 2e-4
 _TIMES, _LEAST = 4.0, 30.0
 
 
-@dataclass(frozen=True, eq=False)
-class Following:
+@dataclass(frozen=True, eq=False, repr=False)
+class Following(Shown):
     """An object's way along a path.
 
     Attributes
@@ -45,6 +46,13 @@ class Following:
     errors: Array
     nearest: Array
     farthest: Array
+
+    def told(self) -> list[tuple[str, str]]:
+        """How near to its path it stayed."""
+        end = "reached" if self.reached else self.way.arrivals[-1].status or "not reached"
+        off = f"{1e3 * self.rms:.2g} mm r.m.s., {1e3 * self.greatest:.2g} mm at most"
+        near = f"{100 * self.coverage():.0f} % within {1e3 * WITHIN:g} mm"
+        return [("end of the path", end), ("off the path", f"{off}, {near}"), ("time", f"{self.way.times[-1]:.3g} s")]
 
     @property
     def reached(self) -> bool:
