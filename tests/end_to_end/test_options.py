@@ -24,7 +24,7 @@ from plategait.identify import examples
 
 Typed = tuple[str, ...]
 # Commands that are made from the catalogue; a name that it has and this list has not is found out.
-QUESTIONS = ("gait", "phases", "torsion")
+QUESTIONS = ("gait", "phases", "sizes", "torsion")
 
 
 @dataclass(frozen=True)
@@ -177,12 +177,20 @@ MODES = [
     Mode(("estimate", "peak.csv", "--method", "linear", "--out", "o.toml"),
          typed(mass="10 g", _with="measured.toml"), ("--noise", "--plot", "--seed")),
     Mode(("estimate", "told.csv", "--method", "linear"), JSON, ("--angle",)),
+    Mode(("estimate", "peak.csv", "--method", "any-size"),
+         typed(scenario="wide.toml", angle="3.1 deg", stroke="2 mm", radius="41 mm", beta="0.6", _with="measured.toml",
+               out="o.toml", json="")),
+    Mode(("estimate", "peak.csv", "--method", "any-size", "--out", "o.toml"), typed(mass="10 g"), ("--noise",)),
     Mode(("estimate-all", "peak.csv", "few.csv"), MANY, ("--coefficients",)),
     Mode(("estimate-all", "told.csv"), but(MANY, "--noise", "--angle"), ("--noise", "--angle")),
     Mode(("estimate-all", "peak.csv", "--method", "linear"),
          typed(scenario="wide.toml", angle="12 deg", stroke="2 mm", radius="50 mm", coefficients="refitted",
                store="kept", dask="host:1", fragments="objects", out="o.csv", json=""),
          ("--beta", "--mass", "--with", "--seed")),
+    Mode(("estimate-all", "peak.csv", "--method", "any-size"),
+         typed(scenario="wide.toml", angle="3.1 deg", stroke="2 mm", radius="41 mm", beta="0.6", _with="measured.toml",
+               store="kept", fragments="objects", out="o.csv", json=""),
+         ("--coefficients", "--mass", "--noise")),
     Mode(("estimate-all", "peak.csv", "--method", "linear", "--fragments", "objects"),
          typed(mass="10 g", _with="measured.toml"), ("--noise", "--height")),
     Mode(("identify", "bending", "bending.csv"), BENDING | typed(method="regression", wall="joint"), ()),

@@ -113,13 +113,13 @@ def test_an_object_whose_file_has_changed_is_estimated_again(paths, tmp_path):
 def test_a_fault_costs_one_object_and_is_not_kept(paths, tmp_path, monkeypatch):
     whole = told(estimate_all(paths, LINEAR))
 
-    def faulty(curves, method):
+    def faulty(curves, *rest):
         if curves[0].name == "middle":
             raise ZeroDivisionError("of all things")
-        return real(curves, method)
+        return real(curves, *rest)
 
-    real = collecting.estimated.__globals__["fitted_alone"]
-    monkeypatch.setattr("plategait.collection.one.fitted_alone", faulty)
+    real = collecting.estimated.__globals__["estimate_directly"]
+    monkeypatch.setattr("plategait.collection.one.estimate_directly", faulty)
     outcomes = estimate_all(paths, LINEAR, store=tmp_path / "store")
     assert "ZeroDivisionError: of all things" in outcomes[2].failure
     assert [o["failure"] for i, o in enumerate(told(outcomes)) if i != 2] == [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 import typer
@@ -27,6 +27,7 @@ from plategait.model.scenario import Scenario
 
 if TYPE_CHECKING:
     from plategait.curve.curve import Curve
+    from plategait.estimate.direct import Direct
     from plategait.estimate.result import Estimate
     from plategait.model.motion import PlateMotion
 
@@ -66,7 +67,9 @@ def estimate(
         base = measured_as(base, measurement.protocol)
         _posterior(curves, base, motions, setup, measurement, planning, output, seed)
     else:
-        _linear(curves, base.replace(motion=motions[0]), method, coefficients, output)
+        beta = measurement.friction_ratio
+        base = base.replace(friction=base.friction.with_ratio(beta)) if beta is not None else base
+        _directly(curves, base.replace(motion=motions[0]), method, coefficients, output)
 
 
 def _refuse_idle(context: typer.Context, method: Method, planning: PlanOptions, output: OutputOptions) -> None:
@@ -78,12 +81,18 @@ def _refuse_idle(context: typer.Context, method: Method, planning: PlanOptions, 
         return
     if not output.out:
         # Only the stiffness that is written is that of an object of a certain mass.
-        refuse(context, ["measured", "mass"], f"with --method {method} and no --out", "--out object.toml")
+        refuse(context, idle_without_file(method), f"with --method {method} and no --out", "--out object.toml")
     used = (
-        "curve_files", "scenario", "measured", "mass", "angle", "stroke", "radius", "method", "coefficients", "out",
-        "as_json",
+        "curve_files", "scenario", "measured", "mass", "angle", "stroke", "radius", "method", "out", "as_json",
+        "beta" if method == "any-size" else "coefficients",
     )  # fmt: skip
     take_only(context, used, f"with --method {method}", "--method posterior")
+
+
+def idle_without_file(method: Method) -> list[str]:
+    """Options that only what is written follows from, by a method other than the posterior."""
+    # A file for --with may tell β, which the any-size method takes.
+    return ["mass"] if method == "any-size" else ["measured", "mass"]
 
 
 def refuse_redundant(context: typer.Context, curves: list[Curve]) -> None:
@@ -103,20 +112,18 @@ def refuse_redundant(context: typer.Context, curves: list[Curve]) -> None:
         refuse(context, ["noise"], "with curves that have a column spin_rate_sd_deg_s", "the file without that column")
 
 
-def _linear(
+def _directly(
     curves: list[Curve],
     base: Scenario,
-    method: Literal["linear", "quadratic"],
+    method: Direct,
     coefficients: Coefficients | None,
     output: OutputOptions,
 ) -> None:
-    """The source's method on one curve."""
-    from plategait.estimate.linear import at_amplitude_of, estimate_linear, fitted_alone, lorentz_of
+    """One curve without the engine: the source's method, or the regression for any size."""
+    from plategait.estimate.direct import estimate_directly
     from plategait.model.fragment import write_fragment
 
-    fit = fitted_alone(curves, method)
-    base = at_amplitude_of(fit, base, method)
-    result = estimate_linear(lorentz_of(fit, method), base, method=method, coefficients=coefficients)
+    result, fit = estimate_directly(curves, base, method, coefficients)
     if output.out and not result.refused:
         write_fragment(result.to_fragment(base), output.out)
     if output.as_json:

@@ -9,7 +9,7 @@ import typer
 
 from plategait.cli import options, report
 from plategait.cli.command import refuse
-from plategait.cli.estimate import refuse_redundant
+from plategait.cli.estimate import idle_without_file, refuse_redundant
 from plategait.cli.estimate_options import (
     Coefficients,
     CoefficientsName,
@@ -65,10 +65,13 @@ def estimate_all(
     if method == "posterior":
         refuse(context, ["coefficients"], "with --method posterior", "--method linear")
     else:
-        refuse(context, _OF_POSTERIOR, f"with --method {method}", "--method posterior")
+        idle = [name for name in _OF_POSTERIOR if (method, name) != ("any-size", "beta")]
+        refuse(context, [*idle, *(["coefficients"] if method == "any-size" else [])], f"with --method {method}",
+               "--method posterior")  # fmt: skip
         if fragments is None:
             # Only the stiffness that is written is that of an object of a certain mass.
-            refuse(context, ["measured", "mass"], f"with --method {method} and no --fragments", "--fragments objects")
+            refuse(context, idle_without_file(method), f"with --method {method} and no --fragments",
+                   "--fragments objects")  # fmt: skip
     asked = _asked(setup, method, coefficients, measurement, seed)
     from plategait.collection.collection import estimate_all as run
     from plategait.collection.objects import read_items
@@ -94,6 +97,8 @@ def _asked(
 
     base, angles = setup.build(), tuple(setup.amplitudes)
     if method != "posterior":
+        beta = measurement.friction_ratio
+        base = base.replace(friction=base.friction.with_ratio(beta)) if beta is not None else base
         return Asked(base, angles, method, coefficients, setup.size_told)
     scenario = measured_as(base, measurement.protocol)
     told = measurement.options(setup, seed)

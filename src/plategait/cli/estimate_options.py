@@ -28,8 +28,11 @@ if TYPE_CHECKING:
     from plategait.estimate.result import Estimate, EstimateOptions
     from plategait.model.motion import PlateMotion
 
-Method = Literal["posterior", "linear", "quadratic"]
-MethodName = Annotated[Method, typer.Option("--method", help="posterior, linear (5.6, 5.7) or quadratic.")]
+Method = Literal["posterior", "linear", "quadratic", "any-size"]
+MethodName = Annotated[
+    Method,
+    typer.Option("--method", help="posterior; linear (5.6, 5.7) or quadratic; or any-size, regressed for any radius."),
+]
 Coefficients = Literal["published", "refitted"]
 CoefficientsName = Annotated[
     Coefficients | None,
@@ -212,6 +215,11 @@ class MeasurementOptions:
     confidence: Annotated[str, typer.Option("--confidence", help="Of the intervals: 0.9 or 90%.")] = "90%"
 
     @property
+    def friction_ratio(self) -> float | None:
+        """β as typed."""
+        return None if self.beta is None else options.SHARE.read(self.beta, "--beta")
+
+    @property
     def protocol(self) -> Protocol:
         """Protocol of the measurement."""
         return Protocol(
@@ -222,7 +230,7 @@ class MeasurementOptions:
         """What was typed, as `plategait.estimate.result.estimate_parameters` takes it."""
         return {
             "noise": None if self.noise is None else options.read_share(self.noise, "--noise"),
-            "friction_ratio": None if self.beta is None else options.SHARE.read(self.beta, "--beta"),
+            "friction_ratio": self.friction_ratio,
             "free": tuple(self.free or ()),
             "fixed": (*(self.fixed or ()), *setup.exact),
             "measured": setup.known,

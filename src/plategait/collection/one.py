@@ -8,20 +8,15 @@ from typing import Any, Literal
 
 from plategait.collection.objects import Item
 from plategait.errors import InputError, printable
-from plategait.estimate.linear import (
-    Coefficients,
-    at_amplitude_of,
-    estimate_linear,
-    fitted_alone,
-    lorentz_of,
-)
+from plategait.estimate.direct import Direct, estimate_directly
+from plategait.estimate.linear import Coefficients
 from plategait.estimate.result import EstimateOptions, estimate_parameters
 from plategait.estimate.size import sized_by_film
 from plategait.model.fragment import fragment_text
 from plategait.model.scenario import Scenario
 from plategait.model.scenario_file import write_scenario
 
-Way = Literal["posterior", "linear", "quadratic"]
+Way = Literal["posterior"] | Direct
 
 
 @dataclass(frozen=True)
@@ -34,7 +29,7 @@ class Asked:
         The object as far as it is known, and the plate.
     angles : tuple of float
         Angular amplitude of all curves of an object, or of each in turn, rad; the scenario's where there is none.
-    method : {"posterior", "linear", "quadratic"}
+    method : {"posterior", "linear", "quadratic", "any-size"}
     coefficients : {"published", "refitted"}, optional
         Of the method "linear".
     radius_told : bool
@@ -84,10 +79,8 @@ def _estimated(
                          '"3 deg"')  # fmt: skip
     motions = [base.motion.replace(angle=angle) for angle in angles] or [base.motion] * len(curves)
     if asked.method != "posterior":
-        curve = fitted_alone(curves, asked.method)
-        base = at_amplitude_of(curve, base.replace(motion=motions[0]), asked.method)
-        fit = lorentz_of(curve, asked.method)
-        linear = estimate_linear(fit, base, method=asked.method, coefficients=asked.coefficients)
+        base = base.replace(motion=motions[0])
+        linear, curve = estimate_directly(curves, base, asked.method, asked.coefficients)
         fragment = "" if linear.refused else fragment_text(linear.to_fragment(base))
         summary = linear.summary() | {"notes": list(curve.notes), "answered": not linear.refused}
         return {"summary": summary, "fragment": fragment}

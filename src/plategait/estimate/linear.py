@@ -58,14 +58,14 @@ class Line:
 
 @dataclass(frozen=True)
 class LinearEstimate:
-    """ω_n (rad/s) and α (rad) by (5.6) and (5.7), each with a standard deviation.
-
-    ω_n is nominal, as the source counts it: 3 % below that of the model's dish mode (`plategait.published`).
+    """ω_n (rad/s) and α (rad) by (5.6) and (5.7) or what takes their place, each with a standard deviation.
 
     Attributes
     ----------
     refused : tuple of str
         Why it must not be used: outside what the method was made from. Empty where it may.
+    nominal : bool
+        Whether ω_n is as the source counts it, 3 % below that of the model's dish mode (`plategait.published`).
     """
 
     natural_frequency: float
@@ -75,6 +75,7 @@ class LinearEstimate:
     method: str
     coefficients: str
     refused: tuple[str, ...]
+    nominal: bool = True
 
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`; None where refused."""
@@ -94,7 +95,7 @@ class LinearEstimate:
         if self.refused:
             raise InputError("--out", "nothing that may be used", "a curve within the method's domain",
                              "--method posterior")  # fmt: skip
-        own = nominal_natural_frequency(scenario.sheet)
+        own = nominal_natural_frequency(scenario.sheet) if self.nominal else None
         k = scenario.sheet.with_natural_frequency(self.natural_frequency, nominal=own).bending_stiffness
         k_sd = 2 * k * self.natural_frequency_sd / self.natural_frequency
         mu, mu_sd = math.tan(self.friction_angle), self.friction_angle_sd / math.cos(self.friction_angle) ** 2
@@ -176,7 +177,7 @@ def estimate_linear(
 def _coefficients(method: Method, coefficients: Coefficients | None) -> Coefficients:
     """Coefficients to use, which the method must have."""
     if method not in ("linear", "quadratic"):
-        raise InputError("--method", method, "posterior, linear or quadratic", "posterior")
+        raise InputError("--method", method, "posterior, linear, quadratic or any-size", "posterior")
     allowed: tuple[Coefficients, ...] = ("published", "refitted") if method == "linear" else ("refitted",)
     if coefficients is not None and coefficients not in allowed:
         raise InputError("--coefficients", coefficients, f"{' or '.join(allowed)} for --method {method}", "refitted")
@@ -213,7 +214,12 @@ def _sd(interval: tuple[float, float]) -> float:
 
 
 def fitted_alone(curves: Sequence[Curve], method: Method) -> Curve:
-    """The one curve that the method takes, with its Lorentz fit.
+    """The one curve that the method takes, with its Lorentz fit; InputError for several."""
+    return fit_curve(alone(curves, method))
+
+
+def alone(curves: Sequence[Curve], method: str) -> Curve:
+    """The one curve that a method takes.
 
     Raises
     ------
@@ -222,7 +228,7 @@ def fitted_alone(curves: Sequence[Curve], method: Method) -> Curve:
     """
     if len(curves) != 1:
         raise InputError("CURVE.csv", f"{len(curves)} curves", f"one curve for --method {method}", "--method posterior")
-    return fit_curve(curves[0])
+    return curves[0]
 
 
 def lorentz_of(curve: Curve, method: Method) -> LorentzFit:
@@ -239,7 +245,7 @@ def lorentz_of(curve: Curve, method: Method) -> LorentzFit:
     return curve.fit
 
 
-def at_amplitude_of(curve: Curve, base: Scenario, method: Method) -> Scenario:
+def at_amplitude_of(curve: Curve, base: Scenario, method: str) -> Scenario:
     """Scenario at the amplitudes in the curve's own columns, if it has any.
 
     Raises

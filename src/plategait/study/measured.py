@@ -57,6 +57,14 @@ class Measured:
         half = None if self.half is None else tuple(self.half[i] for i in which)
         return Measured(tuple(self.rows[i] for i in which), half)
 
+    def pooled(self, count: int) -> Measured:
+        """Each so many points that follow each other as one, of which they are the starts."""
+
+        def together(rows: tuple[tuple[Row, ...], ...]) -> tuple[tuple[Row, ...], ...]:
+            return tuple(sum(rows[i : i + count], ()) for i in range(0, len(rows), count))
+
+        return Measured(together(self.rows), None if self.half is None else together(self.half))
+
 
 def _means(rows: Sequence[Sequence[Row]]) -> Columns:
     columns = {}
