@@ -179,7 +179,7 @@ MODES = [
     Mode(("estimate", "told.csv", "--method", "linear"), JSON, ("--angle",)),
     Mode(("estimate", "peak.csv", "--method", "any-size"),
          typed(scenario="wide.toml", angle="3.1 deg", stroke="2 mm", radius="41 mm", beta="0.6", _with="measured.toml",
-               out="o.toml", json="")),
+               outline="rectangle 72 mm", pitch="9 mm", out="o.toml", json="")),
     Mode(("estimate", "peak.csv", "--method", "any-size", "--out", "o.toml"), typed(mass="10 g"), ("--noise",)),
     Mode(("estimate-all", "peak.csv", "few.csv"), MANY, ("--coefficients",)),
     Mode(("estimate-all", "told.csv"), but(MANY, "--noise", "--angle"), ("--noise", "--angle")),

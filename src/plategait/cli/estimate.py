@@ -84,7 +84,7 @@ def _refuse_idle(context: typer.Context, method: Method, planning: PlanOptions, 
         refuse(context, idle_without_file(method), f"with --method {method} and no --out", "--out object.toml")
     used = (
         "curve_files", "scenario", "measured", "mass", "angle", "stroke", "radius", "method", "out", "as_json",
-        "beta" if method == "any-size" else "coefficients",
+        *(("beta", "outline", "pitch") if method == "any-size" else ("coefficients",)),
     )  # fmt: skip
     take_only(context, used, f"with --method {method}", "--method posterior")
 
