@@ -70,7 +70,7 @@ class Kriging:
 
 
 def _kernel(a: Array, b: Array, lengths: Array) -> Array:
-    return np.exp(-0.5 * np.sum(((a - b) / lengths) ** 2, axis=-1))
+    return np.asarray(np.exp(-0.5 * np.sum(((a - b) / lengths) ** 2, axis=-1)), dtype=np.float64)
 
 
 def learn(inputs: Array, values: Array) -> Kriging:
