@@ -66,11 +66,11 @@ class Kriging:
     @cached_property
     def _inverse(self) -> Array:
         kernel = self.signal * _kernel(self._scaled[:, None], self._scaled[None], self.lengths)
-        return np.linalg.inv(kernel + (self.noise + _JITTER) * np.eye(len(kernel)))
+        return np.asarray(np.linalg.inv(kernel + (self.noise + _JITTER) * np.eye(len(kernel))), dtype=np.float64)
 
 
 def _kernel(a: Array, b: Array, lengths: Array) -> Array:
-    return np.asarray(np.exp(-0.5 * np.sum(((a - b) / lengths) ** 2, axis=-1)), dtype=np.float64)
+    return np.exp(-0.5 * np.sum(((a - b) / lengths) ** 2, axis=-1))
 
 
 def learn(inputs: Array, values: Array) -> Kriging:
