@@ -24,7 +24,7 @@ from plategait.identify import examples
 
 Typed = tuple[str, ...]
 # Commands that are made from the catalogue; a name that it has and this list has not is found out.
-QUESTIONS = ("gait", "phases", "sizes", "torsion")
+QUESTIONS = ("gait", "phases", "sizes", "strides", "torsion")
 
 
 @dataclass(frozen=True)

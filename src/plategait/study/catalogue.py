@@ -44,6 +44,8 @@ QUESTIONS = (
     Question("gait", "Why does it look like a biped, in appearance or in dynamics?", 6700.0),
     Question("sizes", "Do objects of any size, shape and thickness spin alike, and can one estimator read them all?",
              7000.0),
+    Question("strides", "Which strides hold, and how do they lose their hold at each change of gait and at run-off?",
+             3600.0),
     Question("torsion", "Does an isotropic plate behave otherwise than the source's free torsion, and does refining "
              "the pitch converge?", 900.0),
     Question("phases", "What do the phase and the periods of rocking and shaking decide?", 1600.0),
