@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ import typer
 from plategait.cli import app, main
 from plategait.cli.command import Command
 from plategait.identify import examples
+from plategait.simulation.registry import all_observables
 
 Typed = tuple[str, ...]
 # Commands that are made from the catalogue; a name that it has and this list has not is found out.
@@ -111,7 +113,8 @@ STEER = MADE | typed(
 )  # fmt: skip
 
 LAB = OBJECT | typed(
-    frequency="20 Hz", sheet="pancake", friction_law="adams", duration="2 s", dt="5e-5 s", out="o.html", no_open=""
+    frequency="20 Hz", sheet="pancake", friction_law="adams", duration="2 s", dt="5e-5 s", out="o.html", no_open="",
+    json="",
 )  # fmt: skip
 
 MODES = [
@@ -140,7 +143,7 @@ MODES = [
     Mode(("lab", "measured.toml"), but(LAB, "--stroke", "--mass", "--with") | typed(scenario="pancake"), ()),
     Mode(("lab", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("lab", "poses.csv"), LAB | typed(scenario="pancake"), ()),
-    Mode(("lab", "done.zarr"), typed(out="o.html", no_open="")),
+    Mode(("lab", "done.zarr"), typed(out="o.html", no_open="", json="")),
     Mode(("needs",), typed(machine="shaker.toml", frequency="20 Hz", angle="5 deg", stroke="2 mm", json="")),
     Mode(("optimize",), OPTIMIZE, ("--least", "--draws")),
     Mode(("optimize", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
@@ -203,7 +206,7 @@ MODES = [
     Mode(("identify", "modes", "modes.csv"), RING | typed(support="cantilever")),
     Mode(("identify", "modes", "modes.csv", "--support", "cantilever", "--length", "20 mm"),
          RING | typed(length="21 mm", length_sd="1 mm", mass_per_area="3 kg/m^2")),
-    *(Mode(("identify", "example", kind, "o.csv"), typed(seed="4")) for kind in examples.WRITERS),
+    *(Mode(("identify", "example", kind, "o.csv"), typed(seed="4", json="")) for kind in examples.WRITERS),
     Mode(("sweep", "plan.toml"),
          typed(store="other.zarr", refine="2", repair="", dask="host:1", status="", json="")),
     Mode(("sweep", "done.toml", "--status"), JSON),
@@ -221,7 +224,7 @@ MODES = [
     Mode(("track-folder", "clips"), FILMED | typed(frequencies="table.csv")),
     Mode(("track-folder", "clips", "--plate", "outline"), JSON, ("--fiducial", "--scale")),
     Mode(("track-strip", "strip.mp4"), typed(fps="960", duration="0.1 s", link_length="10 mm", out="o.csv", json="")),
-    Mode(("target", "t.pdf"), typed(plate_size="120 mm", fiducial="10 mm")),
+    Mode(("target", "t.pdf"), typed(plate_size="120 mm", fiducial="10 mm", json="")),
     Mode(("shoot", "cheese", "new.mp4", "--seconds", "0.2"), SHOT),
     Mode(("shoot", "cheese", "new.mp4", "--seconds", "0.2", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),
     Mode(("shoot", "cheese", "new.mp4", "--no-markers"), JSON, ("--hidden",)),
@@ -461,6 +464,7 @@ class Seen:
     printed: list[str]
     written: dict[str, str]
     asked: list[object]
+    whole: str = field(default="", compare=False)
 
 
 @pytest.fixture
@@ -495,7 +499,7 @@ def run(files, answers, tmp_path, monkeypatch, capsys):
         new = [p for p in folder.rglob("*") if not p.is_symlink() and p.is_file()]
         text = (".csv", ".toml", ".xml")
         written = {str(p.relative_to(folder)): p.read_text() if p.suffix in text else "" for p in new}
-        return Seen(end.value.code, err, printed, written, list(asked))
+        return Seen(end.value.code, err, printed, written, list(asked), out)
 
     return once
 
@@ -525,3 +529,45 @@ def test_an_option_that_would_change_nothing_is_refused(mode, name, run):
     assert len(seen.error.splitlines()) == 1
     assert not seen.written
     assert not seen.asked
+
+
+# What is printed with --json, and where each key of it is described
+
+DESCRIBED = (Path(__file__).parents[2] / "docs" / "reference" / "json.md").read_text(encoding="utf-8")
+# Command lines that print every kind of answer that a command has.
+PRINTED = [
+    *(mode.typed for mode in MODES if "--json" in mode.options or "--json" in mode.typed),
+    ("simulate", "--duration", "0.1 s", "--with", "measured.toml", "--draws", "2"),
+    ("simulate", "--young", "0.5 MPa", "--duration", "0.1 s", "--repeats", "2"),
+    ("scenario",), ("estimate", "peak.csv", "--next"), ("export", "--out", "m.mcap", "--frequency", "12 Hz"),
+    ("optimize", "--free", "phase"), ("lab", "--young", "0.5 MPa", "--no-open"),
+]  # fmt: skip
+
+
+def keys_of(value: object, by_name: frozenset[str], of: str = "") -> Iterator[str]:
+    """Every key of what was printed; of those whose keys are names of something, what lies inside these."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            if of not in by_name:
+                yield key
+            yield from keys_of(inner, by_name, "" if of in by_name else key)
+    elif isinstance(value, list):
+        for each in value:
+            yield from keys_of(each, by_name, of)
+
+
+@pytest.mark.parametrize("line", dict.fromkeys(PRINTED), ids=" ".join)
+def test_every_key_of_json_is_described_where_its_command_is(line, run):
+    words = " ".join(line[:2] if line[0] in ("identify", "study") else line[:1])
+    sections = [part.partition("\n")[::2] for part in DESCRIBED.split("\n## ")[1:]]
+    own = [text for title, text in sections if any(f"{words} ".startswith(f"{t} ") for t in title.split(", "))]
+    assert own, "a section of the command's own"
+    told = "".join([sections[0][1], *own])
+    named = re.findall(r"^\| ((?:`[^`]+`(?:, )?)+) \|", told, re.M)
+    described = {key for cell in named for key in re.findall(r"`([^`]+)`", cell)}
+    by_name = frozenset(key.removesuffix(".*") for key in described if key.endswith(".*"))
+    seen = run(line if "--json" in line else (*line, "--json"))
+    assert seen.status in (0, 1), seen.error
+    found = set(keys_of(json.loads(seen.whole), by_name))
+    observables = {observable.key for observable in all_observables().values()}
+    assert found - {key.removesuffix(".*") for key in described} - observables == set()

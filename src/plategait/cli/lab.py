@@ -35,6 +35,7 @@ def lab(
     laid_over: options.ScenarioOptions,
     out: Annotated[Path, typer.Option("--out", help="File to write: .html.")] = Path("lab.html"),
     no_open: Annotated[bool, typer.Option("--no-open", help="Write the file and open no browser.")] = False,
+    as_json: options.Json = False,
 ) -> None:
     """Write a page in which this sheet moves, alive, and open it: one file, without a network or a server."""
     check_writable(out, PAGES, "--out")
@@ -44,15 +45,18 @@ def lab(
 
     shown = named(what)
     if shown.own_scenario:
-        take_only(context, ["what", "out", "no_open"], f"for a {shown.kind}, which has a scenario of its own",
-                  f"plategait lab {what}")  # fmt: skip
+        where = f"for a {shown.kind}, which has a scenario of its own"
+        take_only(context, ["what", "out", "no_open", "as_json"], where, f"plategait lab {what}")
     if shown.kind == "scenario":
         refuse(context, ["scenario"], "where WHAT is one itself", f"plategait lab {scenario}")
     base = what if shown.kind == "scenario" else scenario or "cheese"
     shaken = None if shown.own_scenario else laid_over.over(base, frequency)
     html = page(shown.payload(shaken)).encode()
     write_whole(html, out, PAGES, "--out")
-    opened = "" if no_open or open_page(out) else "; no browser to open it in"
-    report.print_notes([f"{out}: {shown.kind} {Path(what).name}, {len(html) / 1e6:.2f} MB{opened}"])
-    if shaken is not None:
-        report.print_notes(laid_over.taken(base, shaken, friction_told=laid_over.mu_s is not None))
+    opened = not no_open and open_page(out)
+    taken = [] if shaken is None else laid_over.taken(base, shaken, friction_told=laid_over.mu_s is not None)
+    if as_json:
+        told = {"out": str(out), "kind": shown.kind, "shown": what, "bytes": len(html), "opened": opened}
+        return report.print_json(told | ({"taken": taken} if taken else {}))
+    unopened = "" if opened or no_open else "; no browser to open it in"
+    report.print_notes([f"{out}: {shown.kind} {Path(what).name}, {len(html) / 1e6:.2f} MB{unopened}", *taken])

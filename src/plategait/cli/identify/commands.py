@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from plategait.cli import options
+from plategait.cli import options, report
 from plategait.cli.command import Command, Group
 from plategait.cli.identify.bending import bending
 from plategait.cli.identify.compression import compression
@@ -30,6 +30,7 @@ def example(
     kind: Annotated[str, typer.Argument(metavar="KIND", help=f"One of {', '.join(KINDS)}.")],
     out: Annotated[Path, typer.Argument(metavar="FILE.csv", help="Where to write it.")],
     seed: options.Seed = 0,
+    as_json: options.Json = False,
 ) -> None:
     """Write a recording as a rig would give it, made from Table 4.1's values, to see the format and try a command."""
     if kind not in KINDS:
@@ -38,4 +39,6 @@ def example(
     from plategait.identify import examples
 
     examples.WRITERS[kind](out, seed)
+    if as_json:
+        return report.print_json({"out": str(out), "kind": kind, "seed": seed})
     print(f"wrote {out}; try plategait identify {kind} {out}")
