@@ -17,4 +17,4 @@ for omega in (3.5, 10, 33):
     stayed = [not failure for failure in curve.failure]
     axes.plot(curve.frequency_hz[stayed], curve.spin_rate_deg_s[stayed], "o-", label=f"{omega:g} π rad/s")
 axes.set(xlabel="plate frequency (Hz)", ylabel="spin rate (deg/s)")
-axes.legend(title="natural frequency", loc="lower right")
+axes.legend(title="natural frequency", loc="upper left", bbox_to_anchor=(1, 1))

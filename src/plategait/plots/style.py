@@ -87,7 +87,7 @@ def plain_logarithms(axis: Axis) -> None:
 
 
 def head(axes: Axes, name: str, details: Sequence[str] = ()) -> None:
-    """Write the name of a picture over its axes, and under it in smaller letters what was held fixed and found.
+    """Write the name of a picture over it, and over its axes in smaller letters what was held fixed and found.
 
     Parameters
     ----------
@@ -96,12 +96,11 @@ def head(axes: Axes, name: str, details: Sequence[str] = ()) -> None:
     details : sequence of str
         Lines in Matplotlib's mathtext; see `plain_text`.
     """
-    broad = int(11 * axes.figure.bbox.width / axes.figure.dpi)  # letters in a line, about
+    figure = axes.figure
+    broad = int(11 * figure.bbox.width / figure.dpi)  # letters in a line, about
     title = "\n".join(textwrap.wrap(name, broad, max_lines=2, placeholder=" …"))
-    axes.set_title(title, loc="left", fontsize=_NAME, parse_math=False, pad=6 + 1.45 * SMALL * len(details))
-    if details:
-        axes.annotate("\n".join(details), (0, 1), (0, 5), xycoords="axes fraction", textcoords="offset points",
-                      va="bottom", fontsize=SMALL, linespacing=1.35)  # fmt: skip
+    figure.suptitle(title, x=0.01, ha="left", fontsize=_NAME, parse_math=False)
+    axes.set_title("\n".join(details), loc="left", fontsize=SMALL, linespacing=1.35)
 
 
 def plain_text(words: str) -> str:
