@@ -1,7 +1,7 @@
 """What gait to expect of a scenario before it is run: Γ at the rim, how soft the sheet is, where gaits change.
 
 Where they change was found by the study `gait` (docs/studies.md), which holds these laws against sheets that they were
-not fitted to.
+not fitted to; how fast a sheet spins at most, by `stroke`.
 """
 
 from __future__ import annotations
@@ -40,6 +40,9 @@ class Expectation:
     sliding_ends, running_begins, runs_off : float
         Γ at which a half lifts clear, nothing touches for a part of the stride, and the sheet runs off its place;
         they scatter by `SPREAD`.
+    top_spin : float
+        Spin rate at which the rim is as fast as the plate's greatest speed along the bar, rad/s: none spins faster, and
+        most come to 0.8 of it.
     """
 
     gamma: float
@@ -48,6 +51,7 @@ class Expectation:
     sliding_ends: float
     running_begins: float
     runs_off: float
+    top_spin: float
 
     @property
     def gait(self) -> str:
@@ -69,11 +73,15 @@ class Expectation:
         }
         if self.gait == "walking" and self.running_begins >= self.runs_off:
             ends["walking"] = ends["running"]
-        return f"Γ = {self.gamma:.2g} at the rim: expect {self.gait} ({ends[self.gait]}, ± {100 * SPREAD:.0f} %)"
+        spin = f"at most {math.degrees(self.top_spin):.0f} deg/s"
+        return (
+            f"Γ = {self.gamma:.2g} at the rim: expect {self.gait} ({ends[self.gait]}, ± {100 * SPREAD:.0f} %), {spin}"
+        )
 
     def summary(self) -> dict[str, float | str]:
         """Plain numbers for `--json`."""
-        return {"gait": self.gait, **asdict(self)}
+        told = asdict(self)
+        return {"gait": self.gait, **told, "top_spin_deg_s": math.degrees(told.pop("top_spin"))}
 
 
 def softness(scenario: Scenario) -> float:
@@ -115,4 +123,5 @@ def expect(scenario: Scenario) -> Expectation | None:
         sliding_ends=rigid * (1 + _PER_SOFTNESS * soft),
         running_begins=rigid * max(1 + _PER_SOFTNESS * soft, _RUNNING * soft**_RUNNING_POWER),
         runs_off=_RUN_OFF * rigid,
+        top_spin=motion.stroke * math.tau * motion.frequency / reach,
     )

@@ -49,6 +49,7 @@ QUESTIONS = (
     Question("torsion", "Does an isotropic plate behave otherwise than the source's free torsion, and does refining "
              "the pitch converge?", 900.0),
     Question("phases", "What do the phase and the periods of rocking and shaking decide?", 1600.0),
+    Question("stroke", "What would have to be true for the spin rate not to depend on the stroke B_p?", 4300.0),
 )  # fmt: skip
 NAMES = tuple(question.name for question in QUESTIONS)
 
