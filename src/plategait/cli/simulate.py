@@ -17,6 +17,7 @@ from plategait.cli.groups import grouped
 from plategait.engine.recording import RunRequest
 from plategait.files.output import PICTURES, check_outputs
 from plategait.model.scenario import Scenario
+from plategait.model.symmetry import symmetry_in_words
 from plategait.simulation import run
 from plategait.simulation.dataset import check_room, write_dataset
 from plategait.simulation.expectation import expect
@@ -102,13 +103,13 @@ def simulate(
     files.write(result)
     drawn = _drawn(build, draws, ensemble) if draws else None
     taken = laid_over.taken(scenario, nominal, friction_told=laid_over.mu_s is not None)
-    expected = expect(nominal)
+    expected, symmetry = expect(nominal), symmetry_in_words(nominal.motion)
     if as_json:
-        told = {"draws": drawn, "taken": taken, "expected": expected and expected.summary()}
+        told = {"draws": drawn, "taken": taken, "expected": expected and expected.summary(), "symmetry": symmetry}
         report.print_json(result.summary() | {name: value for name, value in told.items() if value})
     else:
         report.print_simulation(result, drawn)
-        report.print_notes([*taken, *([expected.words] if expected else [])])
+        report.print_notes([*taken, *([expected.words] if expected else []), *([symmetry] if symmetry else [])])
     raise typer.Exit(0 if result.sound else 1)
 
 
