@@ -61,7 +61,7 @@ class Runs:
 
     def __init__(self, journal: Journal | None = None, progress: Callable[[float], object] | None = None) -> None:
         self._journal = Journal() if journal is None else journal
-        self._done = {entry["key"]: entry["row"] for entry in self._journal.entries}
+        self._done = {key: row for entry in self._journal.entries for key, row in entry["rows"].items()}
         self.progress = progress
         self.simulated = 0.0
 
@@ -113,7 +113,7 @@ class Runs:
         """
         key = hash_of(what)
         if key not in self._done:
-            self._keep(key, work())
+            self._keep({key: work()})
         self._tell(simulated)
         return self._done[key]
 
@@ -124,14 +124,15 @@ class Runs:
         for begin in range(0, len(missing), _BATCH):
             some = missing[begin : begin + _BATCH]
             recordings = engine("cpu").run([requests[i] for i in some], threads=None, progress=None)
-            for i, recording in zip(some, recordings, strict=True):
-                self._keep(keys[i], measure(requests[i].scenario, recording))
+            pairs = zip(some, recordings, strict=True)
+            self._keep({keys[i]: measure(requests[i].scenario, recording) for i, recording in pairs})
             self._tell(sum(requests[i].scenario.duration for i in some))
         return [self._done[key] for key in keys]
 
-    def _keep(self, key: str, row: dict[str, Any]) -> None:
-        self._journal.add({"key": key, "row": row})
-        self._done[key] = row
+    def _keep(self, rows: dict[str, dict[str, Any]]) -> None:
+        # A line for a batch: each is waited for until it lies on the disk.
+        self._journal.add({"rows": rows})
+        self._done |= rows
 
     def _tell(self, simulated: float) -> None:
         self.simulated += simulated
@@ -164,7 +165,7 @@ def open_runs(folder: Path | None, progress: Progress | None = None, expected: f
         When the folder is none of these, is held by another process, or cannot be written to.
     """
     try:
-        with open_journal(folder, "study", {"format": 1}) as journal:
+        with open_journal(folder, "study", {"format": 2}) as journal:
             tell = None if progress is None else lambda done: progress(min(done / expected, 1.0))
             yield Runs(journal, tell)
     except InputError as error:

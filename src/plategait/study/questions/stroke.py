@@ -164,10 +164,10 @@ def answer(runs: Runs, question: Question) -> Answer:
     claims = claims_of(found, sped, begun)
     share, survivors = float(rim_over_plate(sped.means)[2]), _survivors(found)
     verdict = (
-        f"B_p sets the top speed: the rim comes to {share:.2f} of the plate's own speed B_p ω_p, at any stroke from 1.5 "
-        f"to 6 mm and any radius. Only a slippery plate would hide it ({', '.join(survivors) or 'none'}), on which the "
-        "object spins a third as fast as the source's or less; phase, contact, friction law and height do not. No candidate "
-        "survives both."
+        f"B_p sets the top speed: the rim comes to {share:.2f} of the plate's own speed B_p ω_p, at any stroke from "
+        f"1.5 to 6 mm and any radius. Only a slippery plate would hide it ({', '.join(survivors) or 'none'}), on which "
+        "the object spins a third as fast as the source's or less; phase, contact, friction law and height do not. No "
+        "candidate survives both."
     )
     notes = (
         "Friction drags the sheet along as long as the plate outruns it; a rigid half gets the same moment at any slip "
