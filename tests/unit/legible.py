@@ -29,5 +29,5 @@ def assert_legible(figure: Figure) -> None:
     assert not [1 for i, box in enumerate(boxes) for other in boxes[:i] if box.overlaps(other)]
     page = figure.bbox
     for box in boxes:
-        assert box.x0 >= -1, "words leave the picture"
+        assert box.x0 >= -1, f"words leave the picture at {box}"
         assert box.x1 <= page.x1 + 1, "words leave the picture"

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from legible import assert_legible
 
 from plategait.curve.curve import Curve
 from plategait.curve.protocol import measured_as
 from plategait.estimate.emulator import RateEmulator, RunOffEmulator
+from plategait.estimate.figures import plot_estimate
 from plategait.estimate.goodness import SIGNIFICANCE, Goodness, goodness_of_fit
 from plategait.estimate.identifiability import marginal_of
 from plategait.estimate.likelihood import Likelihood
 from plategait.estimate.observations import Condition, Observations, observe_curves
 from plategait.estimate.posterior import Posterior
+from plategait.estimate.prediction import Prediction
 from plategait.estimate.result import Estimate
 from plategait.estimate.runs import EngineRuns
 from plategait.estimate.unknowns import unknowns
@@ -154,3 +158,28 @@ def test_a_file_of_unexplained_data_says_so(tmp_path):
     read_toml(tmp_path / "bad.toml", "--with", "a fragment", "")  # and still is one
     write_fragment(Estimate(sampled, marginals, goodness_of_fit(sampled), 0.9).to_fragment(), tmp_path / "good.toml")
     assert "RELIED" not in (tmp_path / "good.toml").read_text(encoding="utf-8")
+
+
+def test_its_picture_sets_run_offs_apart_and_an_outlier_by_its_mark():
+    failed = np.arange(12) == 11
+    rate = noisy(3)
+    rate[11] = math.nan
+    data = observations(rate, failed=failed)
+    sampled = posterior(observations(noisy(3)))
+    shown = Posterior(sampled.unknowns, data, sampled.u, sampled.noise, sampled.likelihood, sampled.runs, sampled.full)
+    outlier = float(data.frequency[5])
+    bad = Goodness(90.0, 12, 1e-9, 0.5, 1, 11, (outlier,), ("costs $5 or $6",), 0.05)
+    marginals = tuple(marginal_of(p, sampled.u[:, i]) for i, p in enumerate(sampled.unknowns.parameters))
+    frequency = np.linspace(13.0, 26.0, 20)
+    rates_there = np.tile(20 * frequency, (30, 1))
+    conditions = tuple(replace(data.conditions[0], frequency=float(f)) for f in frequency)
+    predicted = Prediction(AMPLITUDE, conditions, rates_there, np.zeros((30, 20), bool))
+    figure = plot_estimate(Estimate(shown, marginals, bad, 0.9), [predicted])
+    assert_legible(figure)
+    axes = figure.axes[0]
+    (band,) = (line for line in axes.get_lines() if line.get_gid() == "failed")
+    np.testing.assert_array_equal(band.get_xdata(), data.frequency[failed])
+    assert "$A_p$" in axes.get_title(loc="left")
+    assert outlier in [line.get_xdata()[0] for line in axes.get_lines() if line.get_marker() == "D"]
+    assert {"ran off", "measured", "probably an outlier"} <= {text.get_text() for text in figure.legends[0].get_texts()}
+    assert r"\$5 or \$6" in figure.get_suptitle()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -53,13 +54,10 @@ def plot_estimate(estimate: Estimate, predictions: Sequence[Prediction] | None =
     for i in range(d):
         _draw_parameter(figure.add_subplot(grid[-1, i]), estimate, i, values)
     if not estimate.goodness.explained:
-        figure.suptitle(
-            plain_text("not explained: " + "; ".join(estimate.goodness.complaints)),
-            color=RED,
-            fontsize=9,
-            x=0.01,
-            ha="left",
+        lines = textwrap.wrap(
+            "not explained: " + "; ".join(estimate.goodness.complaints), int(13 * figure.get_figwidth())
         )
+        figure.suptitle(plain_text("\n".join(lines)), color=RED, fontsize=9, x=0.01, ha="left")
     _legend(figure, ran_off=bool(estimate.posterior.data.failed.any()))
     return figure
 

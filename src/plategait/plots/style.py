@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import math
+import re
 import textwrap
 from collections.abc import Sequence
 from pathlib import Path
@@ -118,8 +120,23 @@ def legend_below(figure: Figure, handles: Sequence[Artist] | None = None, column
         handles = list(of_labels.values())
     if handles:
         labels = [str(handle.get_label()) for handle in handles]
+        room = 72 * figure.get_figwidth()
+        while columns > 1 and _legend_width(labels, columns) > room:
+            columns -= 1
         figure.legend(handles, labels, loc="outside lower center", ncols=min(columns, len(handles)), frameon=False,
                       fontsize=SMALL)  # fmt: skip
+
+
+def _legend_width(labels: Sequence[str], columns: int) -> float:
+    """About how wide a legend is, points: of each column its longest label, with what Matplotlib puts around it."""
+    rows = math.ceil(len(labels) / columns)
+    longest = [max(map(_letters, labels[i : i + rows])) for i in range(0, len(labels), rows)]
+    return sum(SMALL * (0.6 * letters + 4.8) for letters in longest)
+
+
+def _letters(label: str) -> int:
+    """Letters of a label as it is printed, a symbol of mathtext for one."""
+    return len(re.sub(r"[$_^{}]", "", re.sub(r"\\[a-zA-Z,]+", "x", label)))
 
 
 def legend_beside(axes: Axes, **options: Any) -> None:
