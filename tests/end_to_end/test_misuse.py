@@ -77,6 +77,8 @@ MISUSES = [
     ("simulate --repeats 2.5", "--repeats", "2.5", "1"),
     ("modes --count 0", "--count", "0", "8"),
     ("simulate --engine GPU", "--engine", "GPU", "cpu"),
+    ("shoot cheese c.mp4 --hidden 40", "--hidden", "40.0", "0.4"),
+    ("needs --young '0.5 MPa'", "--young", "nothing that plategait needs knows", "plategait needs --help"),
     ("curve --freq 24", "--freq", "nothing that plategait curve knows", "--frequency"),
     ("export cheese", "--out", "nothing", "plategait export cheese --out motion.csv"),
     ("track_strip film.mp4", "command", "track_strip", "plategait track-strip"),

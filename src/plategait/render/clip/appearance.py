@@ -100,7 +100,9 @@ class Appearance:
             if field.name in _RANGES:
                 low, high = _RANGES[field.name]
                 if not (math.isfinite(value) and low <= value <= high):
-                    raise InputError(f"appearance.{field.name}", value, f"from {low:g} to {high:g}", f"{field.default}")
+                    # Who types 40 for a share means 40 %.
+                    works = value / 100 if high <= 1 and low <= value / 100 <= high else field.default
+                    raise InputError(f"appearance.{field.name}", value, f"from {low:g} to {high:g}", f"{works:g}")
             elif field.name.endswith("colour") and not (len(value) == 3 and all(0 <= c <= 255 for c in value)):
                 raise InputError(
                     f"appearance.{field.name}", value, "red, green, blue from 0 to 255", f"{field.default}"
