@@ -131,7 +131,7 @@ LINES = [
     ("estimate peak.csv --method linear --radius '42 mm'", "--radius … a disk of 42 mm … a disk of 40 mm"),
     ("estimate told.csv --method linear", "3 and 12 deg … one amplitude … try --method posterior"),
     ("estimate peak.csv --method quadratic --coefficients published", "--coefficients … try refitted"),
-    ("estimate peak.csv --method any-size --radius '20 mm'", "CURVE.csv … 14 to 30 Hz … or to 40.7 Hz"),
+    ("estimate peak.csv --method any-size --radius '20 mm'", "CURVE.csv … 14 to 30 Hz … or to 40.3 Hz"),
     ("estimate peak.csv --method any-size --coefficients refitted", "--coefficients … any-size"),
     ("identify modes peak.csv --support hanging", "--support … hanging … cantilever"),
     ("shoot cheese x.mp4 --elevation 0", "--elevation … 90"),
