@@ -46,6 +46,10 @@ QUESTIONS = (
              7000.0),
     Question("strides", "Which strides hold, and how do they lose their hold at each change of gait and at run-off?",
              3600.0),
+    Question("friction", "What does dynamic friction do, what tells the friction angle better than (5.7), and what "
+             "does an angle that wanders cost?", 7200.0),
+    Question("viscosity", "What is the mark of the bending's viscosity over four decades, and can it be read off a "
+             "spin experiment?", 4700.0),
     Question("torsion", "Does an isotropic plate behave otherwise than the source's free torsion, and does refining "
              "the pitch converge?", 900.0),
     Question("phases", "What do the phase and the periods of rocking and shaking decide?", 1600.0),
