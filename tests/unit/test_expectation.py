@@ -30,6 +30,7 @@ def test_gamma_and_softness_are_what_they_say():
     assert told.rigid_limit == pytest.approx(0.75 * math.pi, rel=0.03)
     assert told.rigid_limit < told.sliding_ends < told.runs_off
     assert told.top_spin == pytest.approx(0.003 * omega / 0.04)
+    assert "top_spin" not in told.summary()
     assert told.summary()["top_spin_deg_s"] == pytest.approx(math.degrees(told.top_spin))
 
 

@@ -80,8 +80,9 @@ class Expectation:
 
     def summary(self) -> dict[str, float | str]:
         """Plain numbers for `--json`."""
-        told = asdict(self)
-        return {"gait": self.gait, **told, "top_spin_deg_s": math.degrees(told.pop("top_spin"))}
+        numbers = asdict(self)
+        top = math.degrees(numbers.pop("top_spin"))
+        return {"gait": self.gait, **numbers, "top_spin_deg_s": top}
 
 
 def softness(scenario: Scenario) -> float:
