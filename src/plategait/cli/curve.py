@@ -11,6 +11,7 @@ import typer
 from plategait.cli import options, report
 from plategait.cli.groups import grouped
 from plategait.curve.curve_file import write_curve
+from plategait.curve.doubts import doubts
 from plategait.curve.spin_curve import spin_curve
 from plategait.files.output import PICTURES, check_outputs
 from plategait.files.ranges import parse_frequencies
@@ -44,7 +45,7 @@ def curve(
     _plot_curve(result, plot)
     taken = laid_over.taken(scenario, nominal, friction_told=laid_over.mu_s is not None)
     if as_json:
-        report.print_json(result.summary() | ({"taken": taken} if taken else {}))
+        report.print_json(result.summary() | {"doubts": list(doubts(result))} | ({"taken": taken} if taken else {}))
     else:
         report.print_curve(result)
         report.print_notes(taken)
@@ -65,10 +66,13 @@ def fit(
     result = fit_curve(read_curve(curve_file))
     _plot_curve(result, plot)
     if as_json:
-        report.print_json(fit_summary(result.fit) | {"no_fit": result.no_fit or None, "notes": list(result.notes)})
+        report.print_json(
+            fit_summary(result.fit)
+            | {"no_fit": result.no_fit or None, "doubts": list(doubts(result)), "notes": list(result.notes)}
+        )
     else:
         report.print_notes(result.notes)
-        report.print_fit(result.fit, result.no_fit)
+        report.print_fit(result)
     raise typer.Exit(0 if result.fit else 1)
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from plategait.cli.tables import print_table as print_table
 from plategait.curve.curve import Curve
-from plategait.curve.lorentz import LorentzFit
+from plategait.curve.doubts import doubts
 from plategait.errors import printable
 from plategait.model.modes import Modes
 from plategait.simulation.energy import LEDGER_TOLERANCE
@@ -147,17 +147,19 @@ def print_curve(curve: Curve) -> None:
             f"{frequency:g}", _number(curve.spin_rate_deg_s[i]), _number(curve.spin_rate_sd_deg_s[i]),
             curve.gait[i] or "–", curve.failure_in_words[i] or "–",
         ])  # fmt: skip
-    print_table(f"{curve.name}: spin rate over plate frequency", ["Hz", "deg/s", "sd", "gait", "failure"], rows)
+    print_table(f"{curve.name}: spin rate over plate frequency", ["Hz", "deg/s", "sd, deg/s", "gait", "failure"], rows)
     open_at = [f"{s.scenario.motion.frequency:g}" for s in curve.simulations if s.open_ledgers]
     if open_at:
         print(f"THE ENERGY DOES NOT BALANCE within {100 * LEDGER_TOLERANCE:g} % at {', '.join(open_at)} Hz\n")
-    print_fit(curve.fit, curve.no_fit)
+    print_fit(curve)
 
 
-def print_fit(fit: LorentzFit | None, no_fit: str) -> None:
-    """Print a Lorentz fit, or why there is none."""
+def print_fit(curve: Curve) -> None:
+    """Print a curve's Lorentz fit beside the fastest point, and what speaks against it; or why there is none."""
+    fit, fastest = curve.fit, curve.fastest
+    at = f"{abs(fastest[1]):.1f} deg/s at {fastest[0]:g} Hz" if fastest else "none"
     if fit is None:
-        print(f"no Lorentz fit: {no_fit}")
+        print(f"no Lorentz fit: {curve.no_fit}\nfastest measured: {at}")
         return
     rows = [
         [name, f"{value:.2f} {unit}", f"{low:.2f} to {high:.2f}"]
@@ -168,6 +170,8 @@ def print_fit(fit: LorentzFit | None, no_fit: str) -> None:
         )
     ]
     print_table(f"Lorentz fit of {fit.n_points} points, R² = {fit.r2:.3f}", ["", "value", "95 % interval"], rows)
+    print(f"fastest measured: {at}")
+    print_notes(doubts(curve))
 
 
 def print_modes(title: str, modes: Modes, count: int) -> None:

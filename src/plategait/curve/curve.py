@@ -89,6 +89,8 @@ class Curve(Shown):
         gaits = ", ".join(f"{self.gait.count(kind)} {kind}" for kind in dict.fromkeys(self.gait) if kind)
         rows = [("name", self.name), ("points", f"{len(self.frequency_hz)} from {span}, {measured} measured"),
                 ("failed", str(int(self.failed.sum()))), ("gaits", gaits or "–")]  # fmt: skip
+        if self.fastest:
+            rows.append(("fastest", f"{self.fastest[1]:.0f} deg/s at {self.fastest[0]:g} Hz"))
         fit = self.fit
         if fit is None:
             return [*rows, ("Lorentz fit", f"none: {self.no_fit}" if self.no_fit else "none")]
@@ -145,6 +147,15 @@ class Curve(Shown):
         return bool(self.failed[self.frequency_hz > highest].any())
 
     @property
+    def fastest(self) -> tuple[float, float] | None:
+        """Fastest point that did not fail: frequency, Hz, and spin rate, deg/s; None where nothing was measured."""
+        rate = np.where(self.failed, math.nan, self.spin_rate_deg_s)
+        if not np.isfinite(rate).any():
+            return None
+        i = int(np.nanargmax(np.abs(rate)))
+        return float(self.frequency_hz[i]), float(rate[i])
+
+    @property
     def peak_frequency(self) -> float:
         """Frequency of the highest spin rate, Hz: vertex of the parabola through the points above 85 % of it.
 
@@ -162,10 +173,12 @@ class Curve(Shown):
 
     def summary(self) -> dict[str, Any]:
         """Plain numbers for `--json`: the fit, and every point."""
-        peak = self.peak_frequency
+        peak, (at, rate) = self.peak_frequency, self.fastest or (None, None)
         numbers = fit_summary(self.fit) | {
             "no_fit": self.no_fit or None,
             "peak_frequency_hz": peak if math.isfinite(peak) else None,
+            "fastest_hz": at,
+            "fastest_deg_s": rate,
         }
         if self.simulations:
             return numbers | {"points": [s.summary() for s in self.simulations]}
