@@ -50,6 +50,8 @@ QUESTIONS = (
              "does an angle that wanders cost?", 7200.0),
     Question("viscosity", "What is the mark of the bending's viscosity over four decades, and can it be read off a "
              "spin experiment?", 4700.0),
+    Question("identifiability", "Which of mass, elasticity, viscosity and friction does a spin experiment tell, from "
+             "what, and what do higher modes add?", 3900.0),
     Question("torsion", "Does an isotropic plate behave otherwise than the source's free torsion, and does refining "
              "the pitch converge?", 900.0),
     Question("phases", "What do the phase and the periods of rocking and shaking decide?", 1600.0),

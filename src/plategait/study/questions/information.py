@@ -14,11 +14,13 @@ from plategait.study.measured import Columns, Measured
 from plategait.study.runs import Runs
 
 PARAMETERS = ("mass", "stiffness", "damping", "friction", "ratio")
-"""M, k_b, c_b, μ_s and β, each by its logarithm."""
+"""M, k_b, c_b, μ_s and β, each by its logarithm. With the mass goes the stiffness in the plane, which nobody knows."""
 STEP = 0.12
 """Of the central differences: wide enough that what differs from start to start does not hide the slope."""
 NOISE = {"spin_rate": 0.02, "bending_amplitude": 0.05}
 """Relative, of what is read: of films and of what they show of the bending."""
+FLOOR = {"spin_rate": math.radians(1), "bending_amplitude": math.radians(0.1)}
+"""No rate is read better than to a degree a second, rad/s, and no angle than to a tenth of a degree, rad."""
 PRIOR = 2.0
 """Standard deviation of each logarithm before anything is measured: what no measurement tells stays finite."""
 
@@ -31,6 +33,8 @@ def changed(scenario: Scenario, logs: Mapping[str, float]) -> Scenario:
     return scenario.replace(
         sheet=sheet.replace(
             mass=factor["mass"] * sheet.mass,
+            axial_stiffness=factor["mass"] * sheet.axial_stiffness,
+            axial_damping=factor["mass"] * sheet.axial_damping,
             bending_stiffness=factor["stiffness"] * sheet.bending_stiffness,
             bending_damping=factor["damping"] * sheet.bending_damping,
         ),
@@ -66,7 +70,7 @@ class Slopes:
     values : (m, p) array
         0 where an object of the difference ran off.
     noise : (m,) array
-        Standard deviation of each reading's logarithm: the noise told.
+        Standard deviation of each reading's logarithm.
     names : tuple of (motion's number, reading)
     """
 
@@ -91,6 +95,12 @@ class Slopes:
         return np.sqrt(np.diag(np.linalg.inv(self.information(weighed))))
 
 
+def noise_of(reading: str, seen: Array) -> Array:
+    """Standard deviation of the logarithm of what is read: relative noise, and the floor."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.nan_to_num(np.hypot(NOISE[reading], FLOOR[reading] / np.abs(seen)), nan=math.inf)
+
+
 def slopes_of(
     columns: Columns, motions: int, readings: Sequence[str] = ("spin_rate",), parameters: Sequence[str] = PARAMETERS
 ) -> Slopes:
@@ -102,6 +112,6 @@ def slopes_of(
             logs = np.log(np.where(seen > 0, seen, math.nan))
         slope = (logs[1::2] - logs[2::2]).T / (2 * STEP)
         values.append(np.nan_to_num(np.where(np.isfinite(logs[0])[:, None], slope, 0.0)))
-        noise.append(np.full(motions, NOISE[reading]))
+        noise.append(noise_of(reading, seen[0]))
         names += [(i, reading) for i in range(motions)]
     return Slopes(np.concatenate(values), np.concatenate(noise), tuple(names))
