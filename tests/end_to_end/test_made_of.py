@@ -40,7 +40,7 @@ def test_a_polygon_of_silicone_on_a_finite_plate_is_typed_in_a_line(called, fold
     run = pg.simulate(silicone().replace(duration=0.3)).summary()
     assert typed["spin_rate_deg_s"] == run["spin_rate_deg_s"]
     assert typed["taken"] == [
-        "taken, as nobody told otherwise: friction 0.75/0.40 as for the preset cheese, contact as for the preset cheese"
+        "taken, as nobody told otherwise: friction 0.75/0.40 from 60 mm/s on as for the preset cheese, contact as for the preset cheese"
     ]
 
 
@@ -50,7 +50,10 @@ def test_a_file_that_tells_no_friction_is_said_to_take_the_cheeses(called, tmp_p
         '[sheet.outline]\nshape = "disk"\nradius = "30 mm"\n'
     )
     said = called("simulate", "mine.toml", "--duration", "0.1 s", cwd=tmp_path, check=0).stdout
-    assert "friction 0.75/0.40 as for the slice of cheese, contact as for the slice of cheese, no damping" in said
+    assert (
+        "friction 0.75/0.40 from 100 mm/s on as for the slice of cheese, contact as for the slice of cheese, no damping"
+        in said
+    )
     said = called("simulate", "mine.toml", "--duration", "0.1 s", "--mu-s", "0.5", cwd=tmp_path, check=0).stdout
     assert "friction" not in said.partition("taken")[2]
 

@@ -80,7 +80,8 @@ def _print_plan(result: Estimate, plan: Plan) -> None:
           f"(runs off with a probability of {100 * plan.runs_off:.0f} %)")  # fmt: skip
     for p in (m.parameter for m in result.marginals):
         now, after = plan.sd_now[p.name] / p.scale, plan.sd_after[p.name] / p.scale
-        print(f"  {LABELS[p.name]}: sd {now:.2g} now, {after:.2g} expected after {p.unit}".rstrip())
+        unit = f" {p.unit}".rstrip()
+        print(f"  {LABELS[p.name]}: sd {now:.2g}{unit} now, {after:.2g}{unit} expected after it")
     if plan.needed:
         least, median, most = (f"{n}{' or more' if n >= MOST_MEASUREMENTS else ''}" for n in plan.needed)
         print("  the precision wanted is there" if plan.needed[1] == 0 else

@@ -130,7 +130,8 @@ class MaterialOptions:
             pair, source = scenario.friction, f"preset {preset}" if preset else "slice of cheese"
             as_for = f"as for the {source}"
             if not friction_told and (preset or "friction" not in read.model_fields_set):
-                said.append(f"friction {pair.static:.2f}/{pair.kinetic:.2f} {as_for}")
+                speed = f"{1e3 * pair.transition_speed:.3g} mm/s"
+                said.append(f"friction {pair.static:.2f}/{pair.kinetic:.2f} from {speed} on {as_for}")
             if preset or "contact" not in read.model_fields_set:
                 said.append(f"contact {as_for}")
             if not scenario.sheet.bending_damping and (said or self.of_a_material):

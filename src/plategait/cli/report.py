@@ -115,10 +115,11 @@ def _failures(simulation: Simulation) -> str:
     """Which failures there were, of how many of the runs, and when in the middle."""
     runs = len(simulation.observations)
     each = [
-        (f"{len(times)} of {runs} " if runs > 1 else "") + f"{kind} at {statistics.median(times):.2f} s"
+        (f"{len(times)} of {runs} " if runs > 1 else "")
+        + f"{kind} at {statistics.median(times):.2f} s{' in the middle' if len(times) > 1 else ''}"
         for kind, times in simulation.failures.items()
     ]
-    return ", ".join(each) or "none"
+    return ", ".join(each) or f"none in {simulation.scenario.duration:g} s"
 
 
 def _energy(simulation: Simulation) -> str:

@@ -64,13 +64,14 @@ class Simulation(Shown):
         rate = f"{math.degrees(self.spin_rate):.1f} deg/s" if math.isfinite(self.spin_rate) else "not measured"
         low, high = (math.degrees(end) for end in self.spin_rate_interval)
         spread = f" (95 % {low:.1f} to {high:.1f})" if math.isfinite(low) else ""
-        said = f"{failure.kind} at {failure.time:.2f} s" if failure else "none"
+        observed = f"{self.recordings[0].steps * self.recordings[0].dt:.3g} s"
+        said = f"{failure.kind} at {failure.time:.2f} s" if failure else f"none in {observed}"
         if failure and runs > 1:
             said += f", {self.failed_runs} of {runs} runs"
         return [
             ("object", f"{scenario.name}, {scenario.sheet.lattice.n_nodes} nodes, {1e3 * scenario.sheet.mass:.3g} g"),
             ("plate", f"{motion.frequency:g} Hz, {math.degrees(motion.angle):.3g} deg, {1e3 * motion.stroke:.3g} mm"),
-            ("runs", f"{runs} of {self.recordings[0].steps * self.recordings[0].dt:.3g} s"),
+            ("runs", f"{runs} of {observed}"),
             ("spin rate", rate + spread), ("gait", self.gait or "not measured"), ("failure", said),
             ("drift", f"{1e3 * self.value('drift'):.3g} mm"),
             ("energy", "closed" if not self.open_ledgers else f"open in {self.open_ledgers} of {runs} runs"),
