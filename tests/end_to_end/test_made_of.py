@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 
 import pytest
 
@@ -27,7 +28,9 @@ def silicone():
     sheet = pg.Sheet.from_material(
         pg.Polygon(corners=CORNERS), "0.5 MPa", "1 mm", mass="5 g", pitch="5 mm", poisson_ratio=0.5, loss_factor=0.1
     )
-    return preset("cheese").scenario.replace(name="sheet", sheet=sheet, plate=pg.Plate(length=0.15, width=0.15))
+    return preset("cheese").scenario.replace(
+        name="sheet", sheet=sheet, plate=pg.Plate(length=0.15, width=0.15), slip_limit=math.hypot(0.15, 0.15)
+    )
 
 
 def test_a_polygon_of_silicone_on_a_finite_plate_is_typed_in_a_line(called, folder):
@@ -39,9 +42,16 @@ def test_a_polygon_of_silicone_on_a_finite_plate_is_typed_in_a_line(called, fold
     typed = json.loads(called("simulate", *SILICONE, "--duration", "0.3 s", "--json", cwd=folder, check=0).stdout)
     run = pg.simulate(silicone().replace(duration=0.3)).summary()
     assert typed["spin_rate_deg_s"] == run["spin_rate_deg_s"]
-    assert typed["taken"] == [
-        "taken, as nobody told otherwise: friction 0.75/0.40 from 60 mm/s on as for the preset cheese, contact as for the preset cheese"
-    ]
+    taken, sheet = typed["taken"]
+    assert taken == (
+        "taken, as nobody told otherwise: friction 0.75/0.40 from 60 mm/s on as for the preset cheese, "
+        "contact as for the preset cheese, "
+        "no limit of slip below the plate's diagonal, 212 mm: its edge decides (--slip-limit for one)"
+    )
+    made = silicone().sheet
+    nodes = made.lattice.n_nodes
+    # 25 mm² a node, 1 mm thick.
+    assert sheet == f"sheet: 5 g over {nodes / 4:.4g} cm² ({nodes} nodes): {5e-3 / (nodes * 25e-9):,.0f} kg/m³ at 1 mm"
 
 
 def test_a_file_that_tells_no_friction_is_said_to_take_the_cheeses(called, tmp_path):
@@ -122,3 +132,48 @@ def test_a_misuse_is_one_line_that_says_what_to_type(misuse, called, folder):
     assert option in done.stderr
     assert instead in done.stderr
     assert not done.stdout
+
+
+def test_a_density_that_nothing_has_is_warned_of(called, folder):
+    said = called("simulate", "--outline", "disk 40 mm", "--mass", "5 kg", "--young", "0.5 MPa", "--thickness", "1 mm",
+                  "--duration", "0.02 s", cwd=folder, check=0).stdout  # fmt: skip
+    assert "warning: 961,538 kg/m³ is beyond 20 (foam) to 25,000 kg/m³" in said  # 5 kg over 52 cm² of 1 mm
+    usual = called("simulate", "--outline", "disk 40 mm", "--duration", "0.02 s", cwd=folder, check=0).stdout
+    assert "warning" not in usual
+
+
+SLIPPERY = ("simulate", "cheese", "--mu-s", "0", "--angle", "40 deg", "--frequency", "1 Hz")
+
+
+def test_the_edge_of_a_plate_decides_unless_a_limit_of_slip_is_told(called, folder):
+    bare = called(*SLIPPERY, "--duration", "1 s", cwd=folder, check=1).stdout
+    assert "slipped by more than 10 mm at 0." in bare
+    assert "; --slip-limit to allow more" in bare
+    off = called(*SLIPPERY, "--duration", "1 s", "--plate-size", "100 mm", cwd=folder, check=1).stdout
+    assert "left the plate at 0." in off
+    assert "slip-limit to allow more" not in off
+    assert "no limit of slip below the plate's diagonal, 141 mm" in off.replace("\n", " ")
+    both = ("--plate-size", "100 mm", "--slip-limit", "15 mm")
+    on_the_way = called(*SLIPPERY, "--duration", "1 s", *both, cwd=folder, check=1).stdout
+    assert "(slipped by more than 15 mm on the way, at 0." in on_the_way
+    told = json.loads(called(*SLIPPERY, "--duration", "1 s", *both, "--json", cwd=folder, check=1).stdout)
+    assert told["failure"] == "left the plate"
+    assert told["first_sign_s"] < told["failure_time_s"]
+    assert "taken" not in told
+
+
+def test_a_file_keeps_the_limit_of_slip_that_it_tells(called, folder):
+    text = 'slip_limit = "12 mm"\nsheet = {sheet}\n[motion]\nfrequency = "1 Hz"\nangle = "40 deg"\n'
+    sheet = ('{ outline = { shape = "disk", radius = "40 mm" }, mass = "13.6 g", '
+             'bending_stiffness = "2.72e-3 N*mm/deg", axial_stiffness = "0.79 N/mm" }')  # fmt: skip
+    (folder / "told.toml").write_text(text.format(sheet=sheet))
+    (folder / "untold.toml").write_text(text.format(sheet=sheet).partition("\n")[2])
+    typed = ("--mu-s", "0", "--duration", "1 s", "--plate-size", "100 mm")
+    assert "by more than 12 mm" in called("simulate", "told.toml", *typed, cwd=folder, check=1).stdout
+    assert "by more than" not in called("simulate", "untold.toml", *typed, cwd=folder, check=1).stdout
+
+
+def test_a_curve_says_which_slip_its_failures_are_beyond(called, folder):
+    typed = ("curve", "cheese", "--mu-s", "0", "--angle", "40 deg", "--frequency", "1:2:1Hz", "--duration", "1 s")
+    said = called(*typed, "--slip-limit", "11 mm", cwd=folder, check=1).stdout
+    assert "slipped: by more than 11 mm; --slip-limit to allow more" in said

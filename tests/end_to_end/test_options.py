@@ -66,7 +66,7 @@ OF_A_MATERIAL = typed(
 )  # fmt: skip
 OBJECT = MADE | typed(
     natural_frequency="8 Hz", angle="5 deg", stroke="2 mm", mu_s="0.6", mu_k="0.3", _with="measured.toml",
-    plate_size="60 mm",
+    plate_size="60 mm", slip_limit="0.01 mm",
 )  # fmt: skip
 RUN = OBJECT | typed(
     sheet="pancake", friction_law="adams", duration="0.15 s", dt="5e-5 s", repeats="2", engine="cpu64", plot="p.png"
@@ -165,7 +165,7 @@ MODES = [
     Mode(("materials",), JSON),
     Mode(("scenario",), typed(print="cheese", json="")),
     Mode(("scenario", "cheese"), JSON),
-    Mode(("scenario", "--print", "cheese"), MADE | typed(plate_size="150 mm")),
+    Mode(("scenario", "--print", "cheese"), MADE | typed(plate_size="150 mm", slip_limit="15 mm")),
     Mode(("scenario", "--print", "cheese", "--material", "silicone-dragon-skin-30"), OF_A_MATERIAL, ()),
     Mode(("estimate", "peak.csv"), POSTERIOR),
     Mode(("estimate", "peak.csv", "--young", "0.5 MPa"), OF_A_MATERIAL, ()),

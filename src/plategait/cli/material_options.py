@@ -17,6 +17,8 @@ from plategait.model.sheet import Sheet
 
 # What these options are called in a sheet's fields, where they are called otherwise.
 _FIELDS = {"young": "young_modulus", "poisson": "poisson_ratio"}
+# Densities of what sheets are made of, kg/m³.
+LEAST_DENSITY, MOST_DENSITY = 20.0, 25_000.0
 _OF_A_MATERIAL = ("thickness", "density", "poisson", "loss_factor", "damping_ratio")
 
 
@@ -122,7 +124,13 @@ class MaterialOptions:
         return {f"sheet.{name}": remark for name, remark in sheet.items()}
 
     def taken(self, name: str, scenario: Scenario, *, friction_told: bool = False) -> list[str]:
-        """What a scenario made of the one of this name takes for want of anybody's word, in a line if anything."""
+        """What a scenario made of the one of this name takes for want of anybody's word, and what its sheet weighs."""
+        said = self.assumed(name, scenario, friction_told=friction_told)
+        lines = [f"taken, as nobody told otherwise: {', '.join(said)}"] if said else []
+        return lines + (weighed(scenario.sheet) if self.makes_a_sheet else [])
+
+    def assumed(self, name: str, scenario: Scenario, *, friction_told: bool = False) -> list[str]:
+        """What is taken for want of anybody's word, each in a few."""
         read = as_scenario(name)
         preset = read.name if name in PRESETS else ""
         said = [f"Poisson's ratio {USUAL_POISSON_RATIO}"] if self.young and not (self.poisson or self.material) else []
@@ -136,4 +144,20 @@ class MaterialOptions:
                 said.append(f"contact {as_for}")
             if not scenario.sheet.bending_damping and (said or self.of_a_material):
                 said.append("no damping of the sheet")
-        return [f"taken, as nobody told otherwise: {', '.join(said)}"] if said else []
+        return said
+
+
+def weighed(sheet: Sheet) -> list[str]:
+    """Mass, area and thickness of a sheet and the density that they come to; a warning of one that no sheet has."""
+    area = 1e4 * sheet.area
+    density = sheet.mass / (sheet.area * sheet.thickness)
+    line = (f"sheet: {1e3 * sheet.mass:.4g} g over {area:.4g} cm² ({sheet.lattice.n_nodes} nodes): "
+            f"{_dense(density)} kg/m³ at {1e3 * sheet.thickness:.3g} mm")  # fmt: skip
+    if LEAST_DENSITY <= density <= MOST_DENSITY:
+        return [line]
+    allowed = f"{_dense(LEAST_DENSITY)} (foam) to {_dense(MOST_DENSITY)} kg/m³ (the heaviest metals)"
+    return [line, f"warning: {_dense(density)} kg/m³ is beyond {allowed}: check --mass, --thickness and --outline"]
+
+
+def _dense(density: float) -> str:
+    return f"{density:,.0f}" if density >= 1000 else f"{density:.3g}"

@@ -16,14 +16,11 @@ from plategait.cli.material_options import MaterialOptions
 from plategait.cli.needs import MachineName
 from plategait.files.output import PICTURES, check_outputs, write_whole
 from plategait.files.ranges import parse_range
-from plategait.units import Quantity
 
 if TYPE_CHECKING:
     from plategait.model.scenario import Scenario
     from plategait.optimize.goal import Goal
     from plategait.optimize.optimum import Optimum
-
-_SLIP = Quantity("m", "mm", "15 mm", above=0, at_most=10)
 
 
 @dataclass(frozen=True)
@@ -85,9 +82,7 @@ class TrialOptions:
     """How motions are tried, as typed."""
 
     duration: options.Duration = None
-    slip_limit: Annotated[
-        str | None, typer.Option("--slip-limit", help='The object has failed once it has slipped so far: "15 mm".')
-    ] = None
+    slip_limit: options.SlipLimit = None
     chance_of_failure: Annotated[
         str, typer.Option("--chance-of-failure", help="Chance of failure that is permitted: 0.05 or 5%.")
     ] = "5%"
@@ -100,10 +95,7 @@ class TrialOptions:
 
     def laid_over(self, scenario: str, made: MaterialOptions) -> Scenario:
         """Scenario of a name with these laid over it."""
-        built = options.build(scenario, made=made, duration=self.duration)
-        if self.slip_limit is None:
-            return built
-        return built.replace(slip_limit=_SLIP.read(self.slip_limit, "slip_limit"))
+        return options.build(scenario, made=made, duration=self.duration, slip_limit=self.slip_limit)
 
 
 @grouped

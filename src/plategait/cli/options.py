@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from plategait.cli.command import refuse
-from plategait.cli.filmed import read_size
+from plategait.cli.filmed import LENGTH, read_size
 from plategait.cli.material_options import MaterialOptions
 from plategait.engine import engines
 from plategait.errors import InputError
@@ -34,6 +34,13 @@ NaturalFrequency = Annotated[
 PlateSize = Annotated[
     str | None,
     typer.Option("--plate-size", help='A plate that ends, along the bar and across it: "150 mm", "200 mm x 150 mm".'),
+]
+SlipLimit = Annotated[
+    str | None,
+    typer.Option(
+        "--slip-limit",
+        help='Failed once it has slipped so far: "15 mm". Left out with --plate-size, the plate\'s edge decides.',
+    ),
 ]
 Angle = Annotated[str | None, typer.Option("--angle", help='Angular amplitude A_p of the plate: "3 deg".')]
 Stroke = Annotated[str | None, typer.Option("--stroke", help='Linear amplitude B_p of the plate: "3 mm".')]
@@ -88,6 +95,7 @@ class ObjectOptions(MaterialOptions):
 
     natural_frequency: NaturalFrequency = None
     plate_size: PlateSize = None
+    slip_limit: SlipLimit = None
     angle: Angle = None
     stroke: Stroke = None
     mu_s: MuS = None
@@ -100,6 +108,14 @@ class ObjectOptions(MaterialOptions):
         own = {field.name for field in fields(self)} - {field.name for field in fields(MaterialOptions)}
         laid_over = {name: getattr(self, name) for name in own}
         return build(scenario, made=self, frequency=hertz, generator=generator, **laid_over)
+
+    def assumed(self, name: str, scenario: Scenario, *, friction_told: bool = False) -> list[str]:
+        """What is taken for want of anybody's word, the limit of slip on a plate that ends among it."""
+        said = super().assumed(name, scenario, friction_told=friction_told)
+        if self.plate_size is None or self.slip_limit is not None or _limits_slip(name, self.measured or []):
+            return said
+        limit = f"no limit of slip below the plate's diagonal, {1e3 * scenario.slip_limit:.0f} mm"
+        return [*said, f"{limit}: its edge decides (--slip-limit for one)"]
 
 
 @dataclass(frozen=True)
@@ -126,6 +142,7 @@ def build(
     *,
     made: MaterialOptions | None = None,
     plate_size: str | None = None,
+    slip_limit: str | None = None,
     sheet: str | None = None,
     natural_frequency: str | None = None,
     frequency: float | None = None,
@@ -160,13 +177,22 @@ def build(
     motion = {
         "natural_frequency": natural_frequency, "motion.frequency": frequency, "motion.angle": angle,
         "motion.stroke": stroke, "friction.static": mu_s, "friction.kinetic": mu_k, "friction.law": friction_law,
-        "duration": duration, "time_step": dt,
+        "duration": duration, "time_step": dt, "slip_limit": slip_limit,
     }  # fmt: skip
     changes: dict[str, Any] = {}
     if plate_size is not None:
         length, width = read_size(plate_size)
         changes["plate"] = Plate(length=length, width=width)
+        if not _limits_slip(name, measured or []):
+            # Nowhere on the plate is as far: its edge decides, as the source's own limit is that of an endless plate.
+            changes["slip_limit"] = min(math.hypot(length, width), LENGTH.at_most)
     changes |= {name: find_parameter(name, scenario).read(value) for name, value in motion.items() if value is not None}
     if scenario.transient is not None and scenario.transient >= changes.get("duration", math.inf):
         changes["transient"] = None
     return with_values(scenario, kinetic_follows(changes, scenario))
+
+
+def _limits_slip(name: str, measured: list[Path]) -> bool:
+    """Whether a scenario's file, or what is laid over it, says itself at which slip a run has failed."""
+    told = name not in PRESETS and "slip_limit" in as_scenario(name).model_fields_set
+    return told or any("slip_limit" in read_fragment(path).parameters for path in measured)

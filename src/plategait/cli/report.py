@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import statistics
 import sys
 import time
 from collections.abc import Iterable, Iterator
@@ -25,6 +24,8 @@ from plategait.simulation.result import Simulation
 
 INTERRUPTED = 130
 """Exit status of what was interrupted from the keyboard, as shells have it."""
+
+ALLOW_MORE = "; --slip-limit to allow more"
 
 # Work shorter than this shows no progress bar, s.
 _PATIENCE = 1.0
@@ -83,7 +84,7 @@ def print_simulation(simulation: Simulation, drawn: dict[str, Any] | None = None
         *_drawn_row(drawn),
         ["settled", "yes" if s["settled"] else "no"],
         ["gait", s["gait"] or "–"],
-        ["failure", _failures(simulation)],
+        ["failure", _failures(simulation) or f"none in {simulation.scenario.duration:g} s"],
         *([o.label, _observable(o, s[o.key])] for o in all_observables().values() if o.label),
         *_velocity_spread(simulation),
         ["energy unaccounted for", _energy(simulation)],
@@ -112,14 +113,8 @@ def _velocity_spread(simulation: Simulation) -> list[list[str]]:
 
 
 def _failures(simulation: Simulation) -> str:
-    """Which failures there were, of how many of the runs, and when in the middle."""
-    runs = len(simulation.observations)
-    each = [
-        (f"{len(times)} of {runs} " if runs > 1 else "")
-        + f"{kind} at {statistics.median(times):.2f} s{' in the middle' if len(times) > 1 else ''}"
-        for kind, times in simulation.failures.items()
-    ]
-    return ", ".join(each) or f"none in {simulation.scenario.duration:g} s"
+    """Which failures there were, and the option that permits more slip."""
+    return simulation.failures_in_words + ALLOW_MORE * ("slipped" in simulation.failures)
 
 
 def _energy(simulation: Simulation) -> str:
@@ -149,6 +144,8 @@ def print_curve(curve: Curve) -> None:
             curve.gait[i] or "–", curve.failure_in_words[i] or "–",
         ])  # fmt: skip
     print_table(f"{curve.name}: spin rate over plate frequency", ["Hz", "deg/s", "sd, deg/s", "gait", "failure"], rows)
+    if "slipped" in curve.failure and curve.slip_limit is not None:
+        print(f"slipped: by more than {1e3 * curve.slip_limit[0]:.3g} mm{ALLOW_MORE}\n")
     open_at = [f"{s.scenario.motion.frequency:g}" for s in curve.simulations if s.open_ledgers]
     if open_at:
         print(f"THE ENERGY DOES NOT BALANCE within {100 * LEDGER_TOLERANCE:g} % at {', '.join(open_at)} Hz\n")

@@ -28,15 +28,16 @@ def scenario_command(
     *,
     made: MaterialOptions,
     plate_size: options.PlateSize = None,
+    slip_limit: options.SlipLimit = None,
     as_json: options.Json = False,
 ) -> None:
     """List the presets, print one as a commented TOML file, or check a scenario file."""
     if preset_name is not None:
         refuse(context, ["name", "as_json"], "with --print", f"plategait scenario --print {preset_name}")
-        _print_preset(preset_name, made, plate_size)
+        _print_preset(preset_name, made, plate_size, slip_limit)
         return
     names = [field.name for field in fields(MaterialOptions)]
-    refuse(context, [*names, "plate_size"], "where no preset is printed", "--print cheese beside it")
+    refuse(context, [*names, "plate_size", "slip_limit"], "where no preset is printed", "--print cheese beside it")
     if name is not None:
         checked = as_scenario(name)
         facts = {
@@ -59,10 +60,10 @@ def scenario_command(
             print(f"{each:18}{preset(each).summary}")
 
 
-def _print_preset(name: str, made: MaterialOptions, plate_size: str | None) -> None:
+def _print_preset(name: str, made: MaterialOptions, plate_size: str | None, slip_limit: str | None) -> None:
     """A preset as a file, or the same motion and contact with another sheet or plate."""
     chosen = preset(name)
-    scenario = options.build(name, made=made, plate_size=plate_size)
+    scenario = options.build(name, made=made, plate_size=plate_size, slip_limit=slip_limit)
     told = {
         dotted: remark for dotted, remark in chosen.notes.items() if not _changed(dotted, scenario, chosen.scenario)
     }

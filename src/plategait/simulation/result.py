@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import math
+import statistics
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -60,19 +61,17 @@ class Simulation(Shown):
     def told(self) -> list[tuple[str, str]]:
         """What a person asks first."""
         scenario, runs = self.scenario, len(self.recordings)
-        motion, failure = scenario.motion, self.failure
+        motion = scenario.motion
         rate = f"{math.degrees(self.spin_rate):.1f} deg/s" if math.isfinite(self.spin_rate) else "not measured"
         low, high = (math.degrees(end) for end in self.spin_rate_interval)
         spread = f" (95 % {low:.1f} to {high:.1f})" if math.isfinite(low) else ""
         observed = f"{self.recordings[0].steps * self.recordings[0].dt:.3g} s"
-        said = f"{failure.kind} at {failure.time:.2f} s" if failure else f"none in {observed}"
-        if failure and runs > 1:
-            said += f", {self.failed_runs} of {runs} runs"
         return [
             ("object", f"{scenario.name}, {scenario.sheet.lattice.n_nodes} nodes, {1e3 * scenario.sheet.mass:.3g} g"),
             ("plate", f"{motion.frequency:g} Hz, {math.degrees(motion.angle):.3g} deg, {1e3 * motion.stroke:.3g} mm"),
             ("runs", f"{runs} of {observed}"),
-            ("spin rate", rate + spread), ("gait", self.gait or "not measured"), ("failure", said),
+            ("spin rate", rate + spread), ("gait", self.gait or "not measured"),
+            ("failure", self.failures_in_words or f"none in {observed}"),
             ("drift", f"{1e3 * self.value('drift'):.3g} mm"),
             ("energy", "closed" if not self.open_ledgers else f"open in {self.open_ledgers} of {runs} runs"),
         ]  # fmt: skip
@@ -121,6 +120,31 @@ class Simulation(Shown):
         for failure in (o.failure for o in self.observations if o.failure is not None):
             times.setdefault(failure.kind, []).append(failure.time)
         return dict(sorted(times.items(), key=lambda item: -len(item[1])))
+
+    @property
+    def failures_in_words(self) -> str:
+        """Which failures there were, of how many of the runs, and when in the middle; empty where none failed."""
+        runs, limit = len(self.observations), f"slipped by more than {1e3 * self.scenario.slip_limit:.3g} mm"
+        said = []
+        for kind, times in self.failures.items():
+            failed = [o.failure for o in self.observations if o.failure is not None and o.failure.kind == kind]
+            signs = [f.first_sign for f in failed if math.isfinite(f.first_sign)]
+            count = f"{len(times)} of {runs} " if runs > 1 else ""
+            first = f" ({limit} on the way, at {statistics.median(signs):.2f} s)" if signs else ""
+            what = limit if kind == "slipped" else kind
+            middle = " in the middle" * (len(times) > 1)
+            said.append(f"{count}{what} at {statistics.median(times):.2f} s{middle}{first}")
+        return ", ".join(said)
+
+    @property
+    def first_sign(self) -> float:
+        """Median time of the first sign of the commonest failure, s; NaN where no run failed.
+
+        That of the slip where a run slips off the plate, else that of the failure itself.
+        """
+        kind = self._ensemble.failure[0]
+        failed = [o.failure for o in self.observations if o.failure is not None and o.failure.kind == kind]
+        return statistics.median(f.sound_until for f in failed) if failed else math.nan
 
     @property
     def spin_rate(self) -> float:
@@ -208,6 +232,7 @@ class Simulation(Shown):
             "failed_runs": self.failed_runs,
             "failure": failure.kind if failure else None,
             "failure_time_s": failure.time if failure else None,
+            "first_sign_s": self.first_sign,
             "failures": {kind: len(times) for kind, times in self.failures.items()},
             **{o.key: o.scale * self.value(o.name) for o in all_observables().values()},
             "energy_closed": not self.open_ledgers,
