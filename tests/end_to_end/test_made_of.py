@@ -117,6 +117,9 @@ MISUSES = {
     "a size that is none": (("--outline", "rectangle a x b"), "--outline", "100 mm"),
     "no such corners": (("--outline", "none.csv"), "--outline", "x_mm,y_mm"),
     "no such picture": (("--outline", "none.png 70 mm"), "none.png", "leaf.png"),
+    "corners without headings": (("--outline", "bare.csv"), "--outline", "x_mm,y_mm as the first line"),
+    "corners without a unit": (("--outline", "xy.csv"), "--outline", "x_mm,y_mm as the first line"),
+    "a corner too far off": (("--outline", "far.csv"), "far.csv line 4, y", "11000 mm"),
     "corners on a line": (("--outline", "line.csv"), "--outline", "[["),
     "pitch too fine": (("--outline", "corners.csv", "--pitch", "0.01 mm"), "--pitch", '"0.8 mm"'),
     "plate of no size": (("--plate-size", "0 mm"), "--plate-size", "100 mm"),
@@ -127,6 +130,9 @@ MISUSES = {
 def test_a_misuse_is_one_line_that_says_what_to_type(misuse, called, folder):
     typed, option, instead = MISUSES[misuse]
     (folder / "line.csv").write_text("x_mm,y_mm\n0,0\n10,10\n20,20\n")
+    (folder / "bare.csv").write_text("0,0\n80,0\n60,60\n")
+    (folder / "xy.csv").write_text("x,y\n0,0\n80,0\n60,60\n")
+    (folder / "far.csv").write_text("x_mm,y_mm\n0,0\n80,0\n60,11000\n")
     done = called("simulate", *typed, cwd=folder, check=2)
     assert len(done.stderr.splitlines()) == 1
     assert option in done.stderr
@@ -177,3 +183,11 @@ def test_a_curve_says_which_slip_its_failures_are_beyond(called, folder):
     typed = ("curve", "cheese", "--mu-s", "0", "--angle", "40 deg", "--frequency", "1:2:1Hz", "--duration", "1 s")
     said = called(*typed, "--slip-limit", "11 mm", cwd=folder, check=1).stdout
     assert "slipped: by more than 11 mm; --slip-limit to allow more" in said
+
+
+def test_modes_are_headed_by_the_scenarios_name(called, folder):
+    printed = called("scenario", "--print", "cheese", *SILICONE, cwd=folder, check=0).stdout
+    (folder / "sil.toml").write_text(printed.replace('name = "sheet"', 'name = "pentagon 5"', 1), encoding="utf-8")
+    assert called("modes", "sil.toml", cwd=folder, check=0).stdout.startswith("pentagon 5: free-vibration modes")
+    assert json.loads(called("modes", "sil.toml", "--json", cwd=folder, check=0).stdout)["sheet"] == "pentagon 5"
+    assert called("modes", "cheese", "--sheet", "pancake", cwd=folder, check=0).stdout.startswith("pancake: ")

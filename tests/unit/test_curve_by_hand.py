@@ -43,6 +43,10 @@ def refused(tmp_path, text: str) -> InputError:
         "Hz\trpm\r\n12,5\t10\r\n14\t25,5\r\n".encode("utf-8-sig"),
         "[Hz];(rpm)\n12,5;10\n14;25,5\n",
         "Frequenz (Hz);Drehzahl (U/min)\n12,5;10\n14;25,5\n",
+        "Frequenz (Hz);Drehzahl (1/min)\n12,5;10\n14;25,5\n",
+        "Frequenz (Hz);Drehzahl [min⁻¹]\n12,5;10\n14;25,5\n",
+        "Frequenz (Hz);Drehzahl in min^-1\n12,5;10\n14;25,5\n",
+        "Frequenz (Hz);1/min\n12,5;10\n14;25,5\n",
         "Frequenz (Hz);Drehrate (°/s)\r\n12,5;60\r\n14;153\r\n".encode("cp1252"),
         "freq [Hz],rate (deg/s)\n12.5,60\n14,153\n",
         "f / Hz,rate / rpm\n12.5,10\n14,25.5\n",
@@ -64,6 +68,15 @@ def test_the_same_curve_written_differently(tmp_path, text):
     assert curve.frequency_hz.tolist() == [12.5, 14]
     assert curve.spin_rate_deg_s == pytest.approx([60, 153], rel=1e-12)  # 1 rpm is 6 deg/s
     assert curve.notes == ()
+
+
+def test_a_heading_that_is_not_understood_is_named(tmp_path):
+    error = refused(tmp_path, "Frequenz (Hz);Schnelligkeit (1/min);Fehler\n12,5;10;1\n14;25,5;2\n")
+    assert "not understood: Schnelligkeit (1/min), Fehler" in str(error)
+    error = refused(tmp_path, "Frequenz (Hz);Drehzahl (1/min);Fehler\n12,5;10;nein\n14;;ja\n")
+    assert "Fehler" in str(error)
+    (note,) = read(tmp_path, "Frequenz (Hz);Drehzahl (1/min);Fehler\n12,5;10;1\n14;25,5;2\n").notes
+    assert "Fehler" in note
 
 
 number = st.floats(-1e5, 1e5).map(lambda x: round(x, 3))

@@ -30,7 +30,7 @@ def through_file(scenario: Scenario, path) -> Scenario:
 def test_a_preset_comes_back_the_same(name, tmp_path):
     found = preset(name)
     path = tmp_path / "p.toml"
-    path.write_text(write_scenario(found.scenario, found.notes), encoding="utf-8")
+    path.write_text(write_scenario(found.scenario, notes=found.notes), encoding="utf-8")
     assert read_scenario(path) == found.scenario
     assert through_file(found.scenario, path) == found.scenario
 
@@ -38,7 +38,7 @@ def test_a_preset_comes_back_the_same(name, tmp_path):
 @pytest.mark.parametrize("name", PRESETS)
 def test_a_printed_preset_says_where_its_numbers_come_from(name):
     found = preset(name)
-    lines = write_scenario(found.scenario, found.notes).splitlines()
+    lines = write_scenario(found.scenario, notes=found.notes).splitlines()
     assert any("published: " in line for line in lines)
     assert any("inferred: " in line for line in lines)
     for dotted, remark in found.notes.items():
@@ -289,3 +289,14 @@ def test_text_units_and_bare_si_numbers_are_the_same_scenario(tmp_path):
     assert a.sheet.pitch == b.sheet.pitch
     assert a.sheet.bending_stiffness == b.sheet.bending_stiffness
     assert a.motion.angle == b.motion.angle
+
+
+def test_a_scenario_is_written_to_a_file(tmp_path):
+    text = write_scenario(CHEESE, tmp_path / "nb.toml", {"sheet.mass": "weighed"})
+    assert (tmp_path / "nb.toml").read_text(encoding="utf-8") == text
+    assert "weighed" in text
+    assert read_scenario(tmp_path / "nb.toml") == CHEESE
+    with pytest.raises(InputError, match="path"):
+        write_scenario(CHEESE, {"sheet.mass": "weighed"})  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=r"\.toml"):
+        write_scenario(CHEESE, tmp_path / "nb.txt")

@@ -74,7 +74,9 @@ class SetupOptions:
 
     outline: Annotated[
         str | None,
-        typer.Option("--outline", help='Cut to: "disk 40 mm" (radius), "rectangle 90 mm x 60 mm", corners.csv, …'),
+        typer.Option(
+            "--outline", help='Cut to: "disk 40 mm" (radius), "rectangle 90 mm x 60 mm", corners.csv (x_mm,y_mm), …'
+        ),
     ] = None
     pitch: Annotated[str | None, typer.Option("--pitch", help='Distance between nodes: "5 mm".')] = None
     material: Annotated[

@@ -29,7 +29,9 @@ class MaterialOptions:
     outline: Annotated[
         str | None,
         typer.Option(
-            "--outline", help='Cut to: "disk 40 mm" (radius), "rectangle 90 mm x 60 mm", corners.csv, "leaf.png 70 mm".'
+            "--outline",
+            help='Cut to: "disk 40 mm" (radius), "rectangle 90 mm x 60 mm", "leaf.png 70 mm", or corners.csv: '
+            "a first line x_mm,y_mm, then a row for each corner in order.",
         ),
     ] = None
     pitch: Annotated[str | None, typer.Option("--pitch", help='Distance between nodes: "5 mm".')] = None

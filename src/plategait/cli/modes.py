@@ -10,6 +10,7 @@ from plategait.cli import options, report
 from plategait.cli.groups import grouped
 from plategait.cli.material_options import MaterialOptions
 from plategait.files.output import PICTURES, check_outputs
+from plategait.model.sheet import Sheet
 
 _MODE_KEYS = {"omega": "omega_rad_s", "frequency": "frequency_hz", "damping_ratio": "damping_ratio", "name": "name"}
 
@@ -27,7 +28,9 @@ def modes(
 ) -> None:
     """Free-vibration modes of a sheet; the dish mode is the dissertation's natural frequency."""
     check_outputs((plot, PICTURES, "--plot"))
-    built = options.build(scenario, made=made, sheet=sheet, natural_frequency=natural_frequency).sheet
+    whole = options.build(scenario, made=made, sheet=sheet, natural_frequency=natural_frequency)
+    built = whole.sheet
+    name = whole.name if built.name == Sheet.model_fields["name"].default else built.name
     free_modes = built.free_modes
     if plot:
         from plategait.plots.figures import plot_modes
@@ -35,8 +38,8 @@ def modes(
 
         save(plot_modes(built, count), plot)
     if not as_json:
-        return report.print_modes(built.name, free_modes, count)
+        return report.print_modes(name, free_modes, count)
     keys = ("omega", "frequency", "damping_ratio", "name")
     report.print_json(
-        {"sheet": built.name, "modes": [{_MODE_KEYS[k]: getattr(m, k) for k in keys} for m in free_modes.modes[:count]]}
+        {"sheet": name, "modes": [{_MODE_KEYS[k]: getattr(m, k) for k in keys} for m in free_modes.modes[:count]]}
     )

@@ -9,6 +9,7 @@ from plategait.files.table import read_table
 from plategait.model.outline import Disk, Ellipse, Mask, Outline, Polygon, Rectangle
 
 _PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff", ".webp")
+_CORNERS = "a .csv with a row for each corner in order, whose first line names the columns: x_mm,y_mm"
 _ALLOWED = "a shape with its size, a .csv of corners, or a picture with its width"
 
 
@@ -28,8 +29,7 @@ def read_outline(text: str, option: str = "--outline") -> Outline:
     """
     words = text.strip()
     if words.lower().endswith(".csv"):
-        table = read_table(words, {"x": Column("m"), "y": Column("m")}, field=option, example="x_mm,y_mm", least_rows=3)
-        return Polygon(corners=tuple(zip(table["x"].tolist(), table["y"].tolist(), strict=True)))
+        return _corners(words, option)
     for suffix in _PICTURES:
         name, found, width = words.partition(f"{suffix} ")
         if found:
@@ -47,6 +47,32 @@ def read_outline(text: str, option: str = "--outline") -> Outline:
     except InputError as error:
         raise InputError(option, error.got, error.allowed, _beside(shape, error.hint)) from None
     return kinds[shape.lower()](length=length, width=width)
+
+
+def _corners(file: str, option: str) -> Polygon:
+    """Polygon of a CSV file, in whose errors a corner is a line of it."""
+    # In metres where no unit is told, which is refused: nobody means 37 m.
+    columns = {"x": Column("m", "m"), "y": Column("m", "m")}
+    try:
+        table = read_table(file, columns, field=option, example="x_mm,y_mm", least_rows=3)
+    except InputError as error:
+        if not error.allowed.startswith("a table with one column"):
+            raise
+        raise InputError(option, error.got, _CORNERS, "x_mm,y_mm as the first line") from None
+    if table.unitless:
+        got = f"columns {','.join(table.unitless.values())} without a unit in {table.path.name}"
+        raise InputError(option, got, _CORNERS, "x_mm,y_mm as the first line")
+    try:
+        return Polygon(corners=tuple(zip(table["x"].tolist(), table["y"].tolist(), strict=True)))
+    except InputError as error:
+        part, _, place = error.field.partition(".")
+        corner, _, axis = place.partition(".")
+        if part != "corners" or not corner.isdigit():
+            raise
+        name, row = "xy"[int(axis)], int(corner)
+        where, got = f"{table.path.name} line {table.lines[row]}, {name}", f"{1e3 * table[name][row]:.10g} mm"
+        hint = f"the unit of the numbers in the heading, such as {name}_mm"
+        raise InputError(where, got, "from -10 m to 10 m", hint) from None
 
 
 def _length(typed: str, beside: str, option: str) -> float:

@@ -68,7 +68,7 @@ def _print_preset(name: str, made: MaterialOptions, plate_size: str | None, slip
         dotted: remark for dotted, remark in chosen.notes.items() if not _changed(dotted, scenario, chosen.scenario)
     }
     heading = f"the motion, contact and friction of {name}: " if made.makes_a_sheet else ""
-    print(f"# {heading}{chosen.summary}\n\n" + write_scenario(scenario, told | made.remarks(scenario)), end="")
+    print(f"# {heading}{chosen.summary}\n\n" + write_scenario(scenario, notes=told | made.remarks(scenario)), end="")
 
 
 def _changed(dotted: str, scenario: Scenario, printed: Scenario) -> bool:

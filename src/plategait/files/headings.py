@@ -16,6 +16,8 @@ from plategait.units import parse
 # Longer headings name no column.
 LONGEST_HEADING = 100
 
+# Of turning, as data sheets and spreadsheets write it; 1/s may count turns or radians.
+_PER_MINUTE = re.compile(r"1\s*/\s*min|min\s*(?:\^?[-_]1|⁻¹)", re.IGNORECASE)
 _BRACKETED = re.compile(r"(?P<name>.*?)\s*[\[(]\s*(?P<unit>[^\])]*?)\s*[\])]?\s*")
 # Units as people write and speak them, each part of "degrees per second".
 _SPOKEN = {
@@ -145,13 +147,15 @@ def find_columns(
         column = columns.get(name)
         places = [i for i, way in enumerate(named) if way[0] == name]
         if len(places) > 1 or (not places and column and column.required):
-            got = [headings[i] for i in places]
+            got, unknown = [headings[i] for i in places], ""
             if not got and any(way[0] for way in named):
                 got = [printable(cell, 40) for cell in headings[:12]]
+                strange = [printable(h, 40) for h, way in zip(headings, named, strict=True) if h and not way[0]][:12]
+                unknown = f"; not understood: {', '.join(strange)}" if strange else ""
             # What has none of the columns is some other file, whose first line is nobody's business.
             said = ", ".join(got) or (f"{len(headings)} of no known name" if headings else "none")
             works = example if column and column.required else "leaving one of them out"
-            raise InputError(field, f"columns {said} in {file}", f"a table with one column {name}", works)
+            raise InputError(field, f"columns {said} in {file}{unknown}", f"a table with one column {name}", works)
         if places and column:
             place, unit = places[0], named[places[0]][1]
             numbers[name] = place, _factor(name, column, headings[place], unit, field)
@@ -225,5 +229,7 @@ def _factor(name: str, column: Column, heading: str, unit: str, field: str) -> f
 
 def _spelt(unit: str) -> str:
     """Unit in the words of `plategait.units`; in names there is no slash."""
+    if _PER_MINUTE.fullmatch(unit.strip()):
+        return "turn/min"
     parts = re.split(r"/|[_\s]per[_\s]|_", unit.strip())
     return "/".join(_SPOKEN.get(part.strip(" .").lower(), part.strip()) for part in parts)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from plategait.errors import check_kind
+from plategait.files.output import write_whole
 from plategait.files.toml import read_toml
 from plategait.model.base import Model, quantity_of
 from plategait.model.scenario import Scenario
@@ -47,22 +49,33 @@ def _resolve_files(data: dict[str, Any], folder: Path) -> dict[str, Any]:
     return resolved
 
 
-def write_scenario(scenario: Scenario, notes: dict[str, str] | None = None) -> str:
-    """Write a scenario as commented TOML that `read_scenario` reads back the same.
+def write_scenario(scenario: Scenario, path: Path | str | None = None, notes: Mapping[str, str] | None = None) -> str:
+    """Write a scenario as commented TOML that `read_scenario` reads back the same; return the text.
 
     Parameters
     ----------
     scenario : Scenario
         What to write.
-    notes : dict, optional
+    path : Path or str, optional
+        File that ends in .toml, written whole or not at all; without one the text is returned alone.
+    notes : mapping of str to str, optional
         Remarks by dotted field name ("sheet.mass"), added to the comments.
+
+    Raises
+    ------
+    InputError
+        For what is no scenario, or when the file cannot be written.
     """
     check_kind(scenario, Scenario, "scenario", 'preset("cheese").scenario')
-    lines = _table(scenario, "", notes or {})
-    return "\n".join(lines).strip() + "\n"
+    check_kind(notes, (Mapping, type(None)), "notes", '{"sheet.mass": "weighed"}')
+    text = "\n".join(_table(scenario, "", notes or {})).strip() + "\n"
+    if path is not None:
+        check_kind(path, (str, Path), "path", '"mine.toml"')
+        write_whole(text.encode(), path, (".toml",), "path")
+    return text
 
 
-def _table(model: Model, prefix: str, notes: dict[str, str]) -> list[str]:
+def _table(model: Model, prefix: str, notes: Mapping[str, str]) -> list[str]:
     lines: list[str] = []
     nested: list[str] = []
     for name, field in type(model).model_fields.items():
