@@ -16,7 +16,7 @@ from plategait.model.scenario import Scenario
 from plategait.model.sheet import Sheet
 
 Kept = Literal["contact", "friction", "gravity", "height", "stroke"]
-KEPT: tuple[Kept, ...] = ("contact", "friction", "gravity", "height", "stroke")
+KEPT: tuple[Kept, ...] = ("contact", "friction", "height", "stroke", "gravity")
 """What a laboratory does not change with the object, and what may so break similarity."""
 
 

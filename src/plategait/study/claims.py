@@ -16,8 +16,8 @@ from plategait.thesis.item import Table
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-# Two standard errors are taken for 95 %.
-_TWO_SIDED = 2.0
+# Of the starts, with no factor for how few they are: 95 % of many, 82 % of three, 70 % of two (Student's t).
+_STANDARD_ERRORS = 2.0
 
 
 @dataclass(frozen=True)
@@ -40,8 +40,8 @@ class Number:
 
     @property
     def interval(self) -> tuple[float, float] | None:
-        """95 % interval: two standard errors, and the change with the step on top; None where neither is known."""
-        errors = [abs(e) for e in (_TWO_SIDED * self.ensemble_error, self.step_error) if math.isfinite(e)]
+        """Two standard errors to either side, and the change with the step on top; None where neither is known."""
+        errors = [abs(e) for e in (_STANDARD_ERRORS * self.ensemble_error, self.step_error) if math.isfinite(e)]
         reach = math.hypot(*errors)
         return (self.value - reach, self.value + reach) if errors and math.isfinite(self.value) else None
 
@@ -97,7 +97,7 @@ class Claim:
     note : str
         Conditions.
     interval : (low, high), optional
-        95 %; by default that of the number.
+        95 %, of something else than starts and step; by default that of the number.
     """
 
     claim: str

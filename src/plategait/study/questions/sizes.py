@@ -10,12 +10,22 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.model.presets import preset
 from plategait.model.similarity import KEPT, Kept, elongation, equivalent_radius, frequency_at, similar
-from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, new_figure
+from plategait.plots.style import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    label_axes,
+    legend_beside,
+    new_figure,
+    plain_logarithms,
+)
 from plategait.study.catalogue import Question
 from plategait.study.claims import Answer, Claim, Number, number_of
 from plategait.study.measured import Columns, Measured
 from plategait.study.questions.outlines import SHAPES, cut_to
-from plategait.study.questions.strangers import Strangers, met, posterior_errors
+from plategait.study.questions.strangers import Strangers, met, over_objects, posterior_errors
 from plategait.study.runs import Runs
 from plategait.thesis.item import Table
 
@@ -111,7 +121,7 @@ def size_claims(found: Measured) -> list[Claim]:
     def number(kept: Kept | None, per_stroke: bool = False) -> Number:
         return number_of(found, lambda c: departure(c, kept, per_stroke))
 
-    alike, contact, friction, height, stroke, gravity = (number(kept) for kept in (None, *KEPT_IN_ORDER))
+    alike, contact, friction, height, stroke, gravity = (number(kept) for kept in (None, *KEPT))
     per_stroke = number("stroke", True)
     ending = "changes the spin curves of 10 to 200 mm by less than 5 % of the peak, r.m.s."
     note = "r.m.s. over sizes and frequencies, over the cheese's peak"
@@ -128,9 +138,6 @@ def size_claims(found: Measured) -> list[Claim]:
         Claim("gravity breaks it by more than 25 % of the peak, r.m.s., where no time is scaled", gravity.value > 0.25,
               gravity),
     ]  # fmt: skip
-
-
-KEPT_IN_ORDER: tuple[Kept, ...] = ("contact", "friction", "height", "stroke", "gravity")
 
 
 def shape_claims(found: Measured) -> list[Claim]:
@@ -152,27 +159,34 @@ def shape_claims(found: Measured) -> list[Claim]:
 
 def estimator_claims(found: Strangers) -> list[Claim]:
     """What is claimed of the estimator for any size."""
-    omega, alpha = found.number("omega"), found.number("alpha")
+    omega, alpha, held = (found.number(name) for name in ("omega", "alpha", "held"))
+    over = "interval over the objects that might have been drawn"
     return [
         Claim("on objects of any size that it has not seen, the any-size method's median error of ω_n is below 40 %",
               omega.value < 0.40, omega, note=f"{found.count} objects, rates to 2 %; r.m.s. of the logarithm "
-              f"{found.number('omega_rms').value:.2f}"),
+              f"{found.number('omega_rms').value:.2f}; {over}", interval=found.interval("omega")),
         Claim("and of α below 4 deg", alpha.value < 4.0, alpha, "deg",
-              note=f"r.m.s. {found.number('alpha_rms').value:.1f} deg"),
-        Claim("its 90 % intervals hold at least 80 % of the truths", found.number("held").value >= 0.8,
-              found.number("held")),
+              note=f"r.m.s. {found.number('alpha_rms').value:.1f} deg; {over}", interval=found.interval("alpha")),
+        Claim("its 90 % intervals hold at least 80 % of the truths", held.value >= 0.8, held, note=over,
+              interval=found.interval("held")),
     ]  # fmt: skip
 
 
 def posterior_claim(errors: dict[str, list[float]]) -> Claim:
     """Whether the engine in the loop does better on the same curves."""
-    ours, theirs = (float(np.median(errors[name])) for name in ("any_alpha", "posterior_alpha"))
-    omega = [float(np.median(errors[name])) for name in ("any_omega", "posterior_omega")]
+    names = ("posterior_alpha", "any_alpha", "posterior_omega", "any_omega")
+    rows = np.array([errors[name] for name in names]).T
+    theirs, ours, *omega = np.median(rows, axis=0)
+
+    def ratio(rows: Array) -> float:
+        return float(np.median(rows[:, 0]) / np.median(rows[:, 1]))
+
     return Claim(
-        "the posterior's α is nearer than the any-size method's on the same curves", theirs < ours,
-        Number(theirs / ours),
-        note=f"{len(errors['any_alpha'])} objects: median errors of α {theirs:.1f} and {ours:.1f} deg, of ω_n "
-             f"{100 * omega[1]:.0f} and {100 * omega[0]:.0f} %",
+        "the posterior's α is nearer than the any-size method's on the same curves", bool(theirs < ours),
+        Number(ratio(rows)),
+        note=f"{len(rows)} objects: median errors of α {theirs:.1f} and {ours:.1f} deg, of ω_n {100 * omega[0]:.0f} "
+             f"and {100 * omega[1]:.0f} %; interval over the objects that might have been drawn",
+        interval=over_objects(rows, ratio),
     )  # fmt: skip
 
 
@@ -240,27 +254,31 @@ def draw(found: Measured, cut: Measured, strangers: Strangers) -> Figure:
     axes[0][0].set_ylim(0, 700)
     axes[0][0].set_title("sizes; dashed: B_p stays, dotted: the contact stays", fontsize=10)
     label_axes(axes[0][0], "plate frequency · √(r / 40 mm), Hz", "spin rate · √(r / 40 mm), deg/s")
-    axes[0][0].legend(frameon=False, fontsize=8)
+    legend_beside(axes[0][0])
     _draw_bars(axes[0][1], found)
-    curves = np.degrees(cut.means["spin_rate"]).reshape(len(SHAPES), -1)
-    for axis, radius in ((axes[1][0], "half width"),):
-        for n, (name, rates) in enumerate(zip(SHAPES, curves, strict=True)):
-            radii = radii_of(name)
-            scale = radii[radius] / radii["gyration"]
-            axis.plot(np.array(ACCELERATIONS) * scale, rates * math.sqrt(radii[radius] / radii_of("disk")[radius]),
-                      "k-" if name == "disk" else "o-", ms=3, lw=2 if name == "disk" else 1,
-                      color=None if name == "disk" else f"C{n}", label=name)  # fmt: skip
-        axis.set_title("shapes, with half their width for r", fontsize=10)
-        label_axes(axis, "Γ = r A_p ω_p²/g", "spin rate over √(g/r), of the disk's deg/s")
-        axis.legend(frameon=False, fontsize=7)
+    _draw_shapes(axes[1][0], cut)
     strangers.draw(axes[1][1])
     return figure
 
 
+def _draw_shapes(axis: Axes, cut: Measured) -> None:
+    curves = np.degrees(cut.means["spin_rate"]).reshape(len(SHAPES), -1)
+    disk = radii_of("disk")["half width"]
+    for n, (name, rates) in enumerate(zip(SHAPES, curves, strict=True)):
+        radii = radii_of(name)
+        gamma, scale = np.array(ACCELERATIONS) * radii["half width"] / radii["gyration"], radii["half width"] / disk
+        style = {"color": "black", "lw": 2} if name == "disk" else {"color": f"C{n}", "lw": 1, "marker": "o", "ms": 3}
+        axis.plot(gamma, rates * math.sqrt(scale), label=name, **style)
+    axis.set_title("shapes, with half their width for r", fontsize=10)
+    label_axes(axis, "Γ = r A_p ω_p²/g", "spin rate · √(r / 40 mm), deg/s")
+    legend_beside(axis)
+
+
 def _draw_bars(axis: Axes, found: Measured) -> None:
-    values = [100 * departure(found.means, kept) for kept in (None, *KEPT_IN_ORDER)]
+    values = [100 * departure(found.means, kept) for kept in (None, *KEPT)]
     axis.barh(["nothing", "contact", "V", "height", "B_p", "gravity"], values, color=BLUE)
     axis.set_xscale("log")
+    plain_logarithms(axis.xaxis)
     axis.invert_yaxis()
     axis.set_title("what stays as it is while the size changes", fontsize=10)
     label_axes(axis, "departure from the cheese's curve, % of its peak", "")

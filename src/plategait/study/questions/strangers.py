@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -32,6 +33,7 @@ COUNT = 20
 POSTERIOR_COUNT = 4
 """Objects that the engine in the loop estimates too, of those within its priors."""
 _NINETY = 1.645
+_RESAMPLED = 2000
 
 
 def strangers(count: int = COUNT) -> list[Scenario]:
@@ -95,6 +97,10 @@ class Strangers:
         """Error over all objects, with its own errors."""
         return number_of(self.measured, lambda columns: _errors(self.estimates(columns))[name])
 
+    def interval(self, name: str) -> tuple[float, float]:
+        """95 % interval of an error over the objects that might have been drawn."""
+        return over_objects(self.estimates(self.measured.means), lambda rows: _errors(rows)[name])
+
     def table(self) -> Table:
         """An object a row."""
         rows = []
@@ -118,6 +124,14 @@ class Strangers:
         axis.scatter(truth, truth + rows[:, 2], s=sizes, color=BLUE, zorder=3)
         axis.set_title("objects of 10 to 200 mm by the any-size method, 90 %", fontsize=10)
         label_axes(axis, "true friction angle, deg", "told, deg")
+
+
+def over_objects(rows: Array, function: Callable[[Array], float]) -> tuple[float, float]:
+    """95 % interval of a number that a few objects give, an object a row: by bootstrap."""
+    rng = np.random.default_rng(SEED)
+    drawn = rng.integers(len(rows), size=(_RESAMPLED, len(rows)))
+    low, high = np.nanpercentile([function(rows[which]) for which in drawn], (2.5, 97.5))
+    return float(low), float(high)
 
 
 def _errors(rows: Array) -> dict[str, float]:
