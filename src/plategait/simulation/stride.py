@@ -87,7 +87,7 @@ def stride_row(scenario: Scenario, recording: Recording) -> dict[str, float]:
     angle = observables.rotation(recording["spin_cross"], recording["spin_dot"])
     spin = observables.spin_rate(time, angle, period, scenario.measured_from, end).rate
     left, right, flight = (
-        observables.period_means(time, recording[f"{name}"], period, start, end)
+        observables.period_means(time, recording[name], period, start, end)
         for name in ("left_contact", "right_contact", "flight")
     )
     power = float(recording["plate_work"][inside].sum()) / (end - start)

@@ -45,7 +45,10 @@ def fits_of(columns: Columns, frequencies: Sequence[float] = FREQUENCIES) -> lis
 
 
 def run_offs(columns: Columns, frequencies: Sequence[float] = FREQUENCIES) -> Array:
-    """(curves,) frequency from which on runs fail, Hz: the range's end less the width over which they do."""
+    """(curves,) frequency from which on runs fail, Hz: the range's end less the width of failing, by share.
+
+    The lowest frequency at which most fail would jump with one island of stability.
+    """
     failed = columns["failed"].reshape(-1, len(frequencies))
     return np.asarray(frequencies[-1] - np.trapezoid(failed, np.array(frequencies), axis=1), dtype=np.float64)
 

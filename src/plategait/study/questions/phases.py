@@ -12,7 +12,7 @@ from plategait.arrays import Array
 from plategait.model.motion import Wave
 from plategait.model.presets import preset
 from plategait.model.scenario import Scenario
-from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, new_figure
+from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, legend_below, new_figure
 from plategait.study.catalogue import Question
 from plategait.study.claims import Answer, Claim, number_of
 from plategait.study.measured import Columns, Measured
@@ -212,16 +212,15 @@ def draw(found: Measured, over: Measured) -> Figure:
     for i, (ratio, colour, mark) in enumerate(styles):
         for axis, (name, factor) in zip(axes, _SHOWN, strict=False):
             axis.plot(PHASES, factor * on_the_map(found.means, name)[i], mark + "-", color=colour, ms=4, lw=1.1,
-                      label=f"{ratio:g}")  # fmt: skip
+                      label=f"ratio {ratio:g}")  # fmt: skip
     for axis, title in zip(axes, titles, strict=False):
         label_axes(axis, "phase of shaking, deg", title)
         axis.set_xticks(range(0, 361, 90))
-    axes[0].legend(frameon=False, fontsize=8, title="shaking / rocking", ncols=3, loc="upper right")
-    axes[0].set_ylim(top=1.9 * axes[0].get_ylim()[1])
     mean = spins(over.means)
     axes[3].plot(FREQUENCIES, [best_phase(spin) for spin in mean], "o-", color=RED)
     label_axes(axes[3], "plate frequency, Hz", "best phase at ratio 1, deg")
     twin = axes[3].twinx()
     twin.plot(FREQUENCIES, [100 * gain(spin) for spin in mean], "s--", color=BLUE)
-    label_axes(twin, "plate frequency, Hz", "gain over the source's phase (dashed), %")
+    label_axes(twin, "plate frequency, Hz", "gain over the source's (dashed), %")
+    legend_below(figure, columns=6)
     return figure
