@@ -76,7 +76,8 @@ POSTERIOR = typed(
     scenario="pancake", _with="measured.toml", stroke="2 mm", angle="5 deg", mass="10 g", radius="30 mm",
     method="linear", beta="0.5", free="mass", noise="5%", duration="3 s", slip_limit="15 mm", ramp="0.2 s",
     model_error="0.5", any_law="", confidence="95%", next="", seed="3", want_frequency="1 rad/s", want_angle="1 deg",
-    out="o.toml", plot="p.png", json="", fixed="bending_damping", height="6 mm", thickness="2 mm",
+    out="o.toml", plot="p.png", json="", friction_scatter="3 deg", fixed="bending_damping", height="6 mm",
+    thickness="2 mm",
     outline="rectangle 60 mm", pitch="8 mm", material="silicone-dragon-skin-30", young="0.5 MPa",
 )  # fmt: skip
 MANY = but(POSTERIOR, "--next", "--want-frequency", "--want-angle", "--plot", "--out") | typed(

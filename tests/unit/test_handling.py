@@ -15,7 +15,7 @@ from plategait.curve.protocol import USUAL, measured_as
 from plategait.errors import InputError
 from plategait.estimate import runs as runs_module
 from plategait.estimate.emulator import fit_run_off
-from plategait.estimate.handling import OFFSET, SLOWEST_RAMP, Handling
+from plategait.estimate.handling import OFFSET, SLOWEST_RAMP, Handling, handling_of
 from plategait.estimate.observations import Condition, observe_curves
 from plategait.estimate.result import estimate_parameters
 from plategait.estimate.runs import run_engine
@@ -124,3 +124,11 @@ def test_clips_tell_how_long_they_are():
     of_clips = curve_of_clips(clips, "clips")
     np.testing.assert_allclose(np.array(of_clips.duration), [1.0, math.nan])
     assert (np.array(of_clips.slip_limit) == USUAL.slip_limit).all()
+
+
+def test_friction_cannot_scatter_about_an_angle_that_is_not_sought():
+    assert handling_of(None, "3 deg", ()).friction_scatter == pytest.approx(math.radians(3))
+    with pytest.raises(InputError, match="friction_scatter"):
+        handling_of(None, "3 deg", ("friction_angle",))
+    with pytest.raises(InputError, match="friction_scatter"):
+        handling_of(None, "-3 deg", ())

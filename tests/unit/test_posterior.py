@@ -20,8 +20,9 @@ from plategait.estimate.discrepancy import PRESUMED, own_scatter, presumed_discr
 from plategait.estimate.emulator import RateEmulator, fit_run_off
 from plategait.estimate.forecast import MOST_MEASUREMENTS, Forecast, forecast_of, measurements_needed, programme
 from plategait.estimate.goodness import goodness_of_fit
+from plategait.estimate.handling import Handling
 from plategait.estimate.identifiability import marginal_of
-from plategait.estimate.likelihood import OUTLIER_SHARE, OUTLIER_SPREAD, Likelihood
+from plategait.estimate.likelihood import OUTLIER_SHARE, OUTLIER_SPREAD, Likelihood, scatter_of
 from plategait.estimate.observations import Condition, Observations
 from plategait.estimate.particles import Particles, explore, folded, stratified
 from plategait.estimate.posterior import Effort, estimate_posterior
@@ -88,6 +89,35 @@ def test_an_error_of_the_emulator_widens_the_noise():
     error = np.full(len(CONDITIONS), 1.5)
     likelihood = Likelihood(observations(np.full(12, 300.0)), RateEmulator((), error), {}, None)
     np.testing.assert_allclose(likelihood.spread(np.full((1, 12), 300.0), np.zeros(1)), math.hypot(SD, 1.5))
+
+
+def test_friction_that_scatters_widens_each_point_by_its_slope():
+    u = np.random.default_rng(3).random((40, 2))
+    scatter = scatter_of(u, linear_rates(u), np.ones(40, dtype=bool), 0, 0.05)
+    np.testing.assert_allclose(scatter, 0.05 * np.abs(SLOPES[:, 0]), rtol=1e-9)
+    emulator = RateEmulator(((np.arange(12), linear_rates),), np.zeros(12))
+    likelihood = Likelihood(observations(np.full(12, 300.0)), emulator, {}, None, wander=scatter)
+    spread = likelihood.spread(np.full((1, 12), 300.0), np.zeros(1))[0]
+    np.testing.assert_allclose(spread, np.hypot(SD, 0.05 * np.abs(SLOPES[:, 0])), rtol=1e-9)
+
+
+def test_a_posterior_told_of_the_scatter_is_as_wide_as_it_makes_it(monkeypatch):
+    """Each point of a friction angle of its own, 3 deg about the object's: 3/60 of the prior."""
+    rng, share = np.random.default_rng(7), 3 / 60
+    points = np.tile(TRUTH, (12, 1)) + np.outer(share * rng.normal(size=12), [1, 0])
+    rate = np.sum(points * SLOPES, axis=1) + 300 + rng.normal(0, SD, 12)
+    monkeypatch.setattr(posterior_module, "run_engine", linear_engine)
+    told = []
+    for scatter in (0.0, math.radians(3)):
+        data = replace(observations(rate), handling=Handling(friction_scatter=scatter))
+        told.append(estimate_posterior(data, two_unknowns(), seed=1, effort=Effort(walkers=32)).u[:, 0])
+    # Weighted least squares: the bound of points whose own scatter is the slope's.
+    spread = np.hypot(SD, share * SLOPES[:, 0])[:, None]
+    bound = math.sqrt(np.linalg.inv((SLOPES / spread).T @ (SLOPES / spread))[0, 0])
+    # The likelihood of outliers takes a little more than the normal one.
+    assert told[1].std() == pytest.approx(bound, rel=0.25)
+    assert abs(np.median(told[1]) - TRUTH[0]) < 2.5 * told[1].std()
+    assert told[0].std() < 0.7 * bound
 
 
 def test_a_relative_noise_that_is_not_told_is_the_last_unknown():

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 # Options that say something of a posterior alone.
 _OF_POSTERIOR = (
     "beta", "free", "fixed", "noise", "duration", "slip_limit", "ramp", "model_error", "any_law", "confidence", "seed",
+    "friction_scatter",
     "height", "thickness",
 )  # fmt: skip
 

@@ -214,6 +214,10 @@ class MeasurementOptions:
     any_law: Annotated[
         bool, typer.Option("--any-law", help="The law of friction may be the other one: much wider intervals.")
     ] = False
+    friction_scatter: Annotated[
+        str,
+        typer.Option("--friction-scatter", help='Friction angle from point to point, one sd: "3 deg" of food.'),
+    ] = "0 deg"
     confidence: Annotated[str, typer.Option("--confidence", help="Of the intervals: 0.9 or 90%.")] = "90%"
 
     @property
@@ -241,6 +245,7 @@ class MeasurementOptions:
             "ramp": None if self.ramp is None else _RAMP.read(self.ramp, "--ramp"),
             "model_error": _MODEL_ERROR.read(self.model_error, "--model-error"),
             "any_law": self.any_law,
+            "friction_scatter": self.friction_scatter,
             "seed": seed,
         }
 

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 _GROUPS = {
     "Object": (
         "sheet", "natural_frequency", "mu_s", "mu_k", "friction_law", "measured", "mass", "thickness", "radius", "beta",
+        "friction_scatter",
         "young", "density", "poisson", "loss_factor", "damping_ratio", "material", "outline", "pitch", "plate_size",
         "scenario",
     ),
@@ -27,6 +28,7 @@ _GROUP_OF = {name: group for group, names in _GROUPS.items() for name in names}
 _WRITTEN_IN = {
     "frequency": "FREQUENCY", "natural_frequency": "FREQUENCY", "angle": "ANGLE", "stroke": "LENGTH",
     "height": "LENGTH", "mu_s": "NUMBER", "mu_k": "NUMBER", "beta": "NUMBER", "duration": "TIME", "dt": "TIME",
+    "friction_scatter": "ANGLE",
     "seconds": "SECONDS", "ramp": "TIME", "hold": "TIME", "timeout": "TIME", "camera_delay": "TIME",
     "rate": "FREQUENCY", "camera_rate": "FREQUENCY", "mass": "MASS", "thickness": "LENGTH", "radius": "LENGTH",
     "reach": "LENGTH", "slip_limit": "LENGTH", "width": "LENGTH", "length": "LENGTH", "length_sd": "LENGTH",

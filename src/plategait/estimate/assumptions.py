@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -107,6 +108,9 @@ def _each(
         if unknown is not None:
             text = f"sought, {_reach(unknown, text)}"
         yield Assumption(name, label, value, parameter.unit, text, unknown is not None)
+    if scatter := handling.friction_scatter:
+        text = f"scatters by {math.degrees(scatter):.3g} deg"
+        yield Assumption("friction_scatter", "friction angle from point to point", scatter, "rad", text)
 
 
 def _listed(texts: Sequence[str]) -> str:

@@ -25,6 +25,8 @@ OUTLIER_SHARE = 0.02
 OUTLIER_SPREAD = 10.0
 # A run-off that no emulator foresaw: an island of stability, the plate knocked, the object cut unevenly.
 SURPRISE = 0.01
+# Runs near the data for each number of a plane through them, of which slopes are learnt; where fewer are, all runs.
+LEAST_PLANE = 3
 # Rounds in which the amounts of the model's error and the weights of the outliers are brought together.
 REWEIGHTED = 3
 
@@ -44,6 +46,8 @@ class Likelihood:
         Relative noise where it is known and the data do not come with their own; None: the last parameter.
     discrepancy : Discrepancy or None
         Of the model; None takes it as right.
+    wander : (columns,) array or None
+        Scatter of each column of the rates where friction differs from point to point, in its unit.
     """
 
     data: Observations
@@ -51,6 +55,7 @@ class Likelihood:
     run_offs: dict[Condition, RunOffEmulator | None]
     noise: float | None
     discrepancy: Discrepancy | None = None
+    wander: Array | None = None
 
     @property
     def noise_is_unknown(self) -> bool:
@@ -73,13 +78,15 @@ class Likelihood:
         return compared.quantity * len(self.data.conditions) + compared.condition
 
     def spread(self, predicted: Array, noise: Array) -> Array:
-        """Standard deviation (n, points) of the points about the prediction: measurement, chaos, emulator, model.
+        """Standard deviation (n, points) of points about the prediction: measurement, friction, chaos, emulator, model.
 
         The model's changes of known shape come on top: see `deviations`.
         """
         own = self.data.compared.sd
         relative = np.hypot(noise[:, None] * predicted, LEAST_NOISE)
         measured = np.where(np.isfinite(own), own, relative)
+        if self.wander is not None:
+            measured = np.hypot(measured, self.wander[self._columns])
         own = 0.0 if self.discrepancy is None else self.discrepancy.own[self._columns]
         return np.hypot(np.hypot(measured, own * predicted), self.error)
 
@@ -181,12 +188,34 @@ def learn(
     near: NDArray[np.bool_],
     noise: float | None,
     discrepancy: Discrepancy | None = None,
+    wandering: tuple[int, float] | None = None,
 ) -> Likelihood:
-    """Likelihood from the engine's runs; those `near` (n,) what was measured count most."""
+    """Likelihood from the engine's runs; those `near` (n,) what was measured count most.
+
+    `wandering` is a parameter's place among the unknowns and its standard deviation from point to point, as a share of
+    its prior.
+    """
     run_offs = {}
     for amplitude in data.brackets():
         emulator = fit_run_off(runs.u, *runs.brackets(amplitude), near)
         if emulator is not None and discrepancy is not None:
             emulator = replace(emulator, width=math.hypot(emulator.width, discrepancy.run_off(amplitude)))
         run_offs[amplitude] = emulator
-    return Likelihood(data, fit_rates(runs.u, runs.columns(), near), run_offs, noise, discrepancy)
+    wander = None if wandering is None else scatter_of(runs.u, runs.columns(), near, *wandering)
+    return Likelihood(data, fit_rates(runs.u, runs.columns(), near), run_offs, noise, discrepancy, wander)
+
+
+def scatter_of(u: Array, columns: Array, near: NDArray[np.bool_], which: int, sd: float) -> Array:
+    """Scatter (c,) of columns (n, c) where one parameter scatters by `sd`: by their slope near the data.
+
+    Slopes are those of a plane through the runs that stayed; of a column of which few did, none is told.
+    """
+    rows = near if near.sum() >= LEAST_PLANE * (u.shape[1] + 1) else np.ones(len(u), dtype=bool)
+    terms = np.column_stack([np.ones(len(u)), u])
+    scatter = np.zeros(columns.shape[1])
+    for c in range(columns.shape[1]):
+        use = rows & np.isfinite(columns[:, c])
+        if use.sum() > terms.shape[1] + 1:
+            plane = np.linalg.lstsq(terms[use], columns[use, c], rcond=None)[0]
+            scatter[c] = abs(plane[1 + which]) * sd
+    return scatter

@@ -27,7 +27,7 @@ from plategait.estimate.likelihood import LEAST_NOISE, Likelihood, learn
 from plategait.estimate.observations import Observations
 from plategait.estimate.particles import Particles, explore, folded, stratified
 from plategait.estimate.runs import EngineRuns, run_engine
-from plategait.estimate.unknowns import Unknowns
+from plategait.estimate.unknowns import FRICTION_ANGLE, Unknowns
 from plategait.shown import Shown
 
 Progress = Callable[[float], object]
@@ -166,6 +166,7 @@ def estimate_posterior(
     generator = np.random.default_rng(seed)
     dimensions = len(unknowns.parameters)
     first, later = effort.rounds(dimensions)
+    wandering = _wandering(unknowns, data)
 
     def run(u: Array, before: int, changed: Change | None = None) -> EngineRuns:
         report = None if progress is None else _part(progress, before, len(u), first + 2 * later)
@@ -178,7 +179,7 @@ def estimate_posterior(
         return measure_discrepancy(lambda change: run(own.u, first, change), own, model_error, alternatives)
 
     def learn_from(runs: EngineRuns, near: NDArray[np.bool_]) -> _Round:
-        likelihood = learn(data, runs, near, noise, discrepancy)
+        likelihood = learn(data, runs, near, noise, discrepancy, wandering)
         return _Round(runs, likelihood, explore(likelihood, dimensions + likelihood.noise_is_unknown, generator))
 
     runs = run(stratified(first, dimensions, generator), 0)
@@ -202,6 +203,15 @@ def estimate_posterior(
     full = _sample(latest, effort, generator)
     parameters, sampled_noise = latest.likelihood.split(full)
     return Posterior(unknowns, data, parameters, sampled_noise, latest.likelihood, latest.runs, full)
+
+
+def _wandering(unknowns: Unknowns, data: Observations) -> tuple[int, float] | None:
+    """Place of the friction angle among the unknowns, and its scatter from point to point as a share of its prior."""
+    if not data.handling.friction_scatter:
+        return None
+    place = unknowns.names.index(FRICTION_ANGLE.name)
+    prior = unknowns.parameters[place]
+    return place, data.handling.friction_scatter / (prior.high - prior.low)
 
 
 def _part(progress: Progress, before: int, size: int, total: int) -> Progress:

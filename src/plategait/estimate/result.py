@@ -18,7 +18,7 @@ from plategait.curve.protocol import USUAL, Protocol, measured_as
 from plategait.errors import InputError
 from plategait.estimate.assumptions import Assumption, assumptions
 from plategait.estimate.goodness import Goodness, goodness_of_fit
-from plategait.estimate.handling import Handling
+from plategait.estimate.handling import handling_of
 from plategait.estimate.identifiability import CONFIDENCE, Marginal, marginal_of
 from plategait.estimate.observations import observe_curves
 from plategait.estimate.posterior import Posterior, estimate_posterior
@@ -36,7 +36,6 @@ from plategait.units import Quantity
 
 _SHARE = Quantity("", "", "0.9")
 _MODEL_ERROR = Quantity("", "", "1", at_least=0, at_most=10)
-_RAMP = Quantity("s", "s", "0.1 s", at_least=0, at_most=1e3)
 
 LABELS = {
     "natural_frequency": "natural frequency ω_n",
@@ -233,6 +232,7 @@ class EstimateOptions(TypedDict, total=False):
     ramp: float | None
     model_error: float
     any_law: bool
+    friction_scatter: float | str
     seed: int
 
 
@@ -251,6 +251,7 @@ def estimate_parameters(
     ramp: float | None = None,
     model_error: float = 1.0,
     any_law: bool = False,
+    friction_scatter: float | str = 0.0,
     seed: int = 0,
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
@@ -273,8 +274,7 @@ def estimate_parameters(
     free : sequence of str
         What else is unknown: "mass", "contact_damping".
     fixed : sequence of str
-        Parameters that are not sought, since the scenario has them: "bending_damping", "plate_height",
-        "natural_frequency", "friction_angle".
+        Parameters that are not sought: "bending_damping", "plate_height", "natural_frequency", "friction_angle".
     measured : mapping of str to (value, sd), optional
         What is known from elsewhere of "plate_height" (m) or of "bending_damping" (as a factor on the scenario's).
     thickness_sd : float
@@ -285,10 +285,11 @@ def estimate_parameters(
         Time in which the plate comes to its full swing, s. Not known if left out, whatever the scenario says: where an
         object runs off depends on it.
     model_error : float
-        How far the model may be off: 1 allows for about as much as joints that resist twisting and rigid tiles change
-        the curve, 0 takes the model as right. See `plategait.estimate.discrepancy`.
+        How far the model may be off: 1 as far as other models, 0 not at all. See `plategait.estimate.discrepancy`.
     any_law : bool
         Whether the law of friction may be another than the scenario's, too: the intervals grow several times.
+    friction_scatter : float or str
+        Standard deviation of the friction angle from point to point, rad, or text such as "3 deg": food's wanders.
     seed : int
         Of the sampling: the same data and seed give the same estimate.
     threads : int, optional
@@ -304,12 +305,11 @@ def estimate_parameters(
     scenario = as_scenario(scenario)
     free, fixed = ([name] if isinstance(name, str) else name for name in (free, fixed))
     confidence, noise = _read_confidence(confidence), _read_noise(noise)
-    ramp, model_error = _read_ramp(ramp), _read_model_error(model_error, any_law)
+    model_error = _read_model_error(model_error, any_law)
     check_whole("seed", seed, 0, 2**63 - 1)
-    scenario, motions = _at_height_of(
-        curves, scenario, _read_motions(motions, len(curves)) or [scenario.motion] * len(curves)
-    )
-    data = observe_curves(curves, motions, Handling(ramp=ramp))
+    given = _read_motions(motions, len(curves)) or [scenario.motion] * len(curves)
+    scenario, motions = _at_height_of(curves, scenario, given)
+    data = observe_curves(curves, motions, handling_of(ramp, friction_scatter, fixed))
     scenario = _observed_as(scenario, curves)
     parameters = unknowns(scenario, free=free, friction_ratio=friction_ratio, fixed=fixed, measured=measured)
     posterior = estimate_posterior(data, parameters, noise=noise, model_error=model_error, any_law=any_law,
@@ -339,10 +339,6 @@ def _read_confidence(value: float) -> float:
     if not 0.5 <= confidence < 1:
         raise InputError("confidence", confidence, "at least 0.5 and below 1", "0.9")
     return confidence
-
-
-def _read_ramp(value: float | None) -> float | None:
-    return None if value is None else _RAMP.read(value, "ramp")
 
 
 def _observed_as(scenario: Scenario, curves: Sequence[Curve]) -> Scenario:
