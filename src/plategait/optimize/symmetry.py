@@ -1,4 +1,7 @@
-"""Mirror images of motions: where one of them carries an object is known before it is run."""
+"""Mirror images of motions: where one of them carries an object is known before it is run.
+
+What a motion that is its own image forbids, `plategait.model.symmetry` tells.
+"""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ QUESTIONS = (
     Question("identifiability", "Which of mass, elasticity, viscosity and friction does a spin experiment tell, from "
              "what, and what do higher modes add?", 3900.0),
     Question("torsion", "Does an isotropic plate behave otherwise than the source's free torsion, and does refining "
-             "the pitch converge?", 900.0),
+             "the pitch converge?", 1400.0),
     Question("phases", "What do the phase and the periods of rocking and shaking decide?", 1600.0),
     Question("stroke", "What would have to be true for the spin rate not to depend on the stroke B_p?", 4300.0),
 )  # fmt: skip
