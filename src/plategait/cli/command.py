@@ -82,7 +82,7 @@ class Command(TyperCommand):
             if quoted := _loose_unit(error.got):
                 raise InputError(error.field, error.got, error.allowed, f"quotes: {quoted}") from None
             name = _LAID_OVER.get(error.field, error.field)
-            option = next((p for p in self.params if p.name == name and _given(ctx, name)), None)
+            option = next((p for p in self.params if p.name == name and given(ctx, name)), None)
             if option is None or option.param_type_name == "argument":
                 raise
             raise InputError(option.opts[0], error.got, error.allowed, error.hint) from None
@@ -118,7 +118,7 @@ def refuse(context: typer.Context, names: Iterable[str], where: str, hint: str) 
         Naming the first of them that was typed.
     """
     for name in names:
-        if _given(context, name):
+        if given(context, name):
             got = context.params[name]
             value = "nothing it would change" if got is True else str(got) if isinstance(got, Path) else got
             raise InputError(_spelt(context, name), value, f"left out {where}", hint)
@@ -157,7 +157,7 @@ def _loose_unit(got: object) -> str:
     return f'"{" ".join(typed[first:end])}"' if typed[first][-1:].isdigit() else ""
 
 
-def _given(context: typer.Context, name: str) -> bool:
+def given(context: typer.Context, name: str) -> bool:
     """Whether a parameter was typed."""
     source = context.get_parameter_source(name)
     return source is not None and source.name == "COMMANDLINE"

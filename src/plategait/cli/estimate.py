@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -20,6 +21,7 @@ from plategait.cli.estimate_options import (
     PlanOptions,
     SetupOptions,
 )
+from plategait.cli.estimate_untold import treated_as, warnings_of
 from plategait.cli.groups import grouped
 from plategait.curve.protocol import measured_as
 from plategait.files.output import PICTURES, check_outputs
@@ -30,6 +32,20 @@ if TYPE_CHECKING:
     from plategait.estimate.direct import Direct
     from plategait.estimate.result import Estimate
     from plategait.model.motion import PlateMotion
+
+
+@dataclass(frozen=True)
+class Said:
+    """What is said before the answer: of what nobody told, and of how the object is taken."""
+
+    warnings: list[str]
+    notes: list[str]
+
+    @property
+    def lines(self) -> list[str]:
+        """All of it, the warnings first."""
+        return [*self.warnings, *self.notes]
+
 
 CANDIDATES = [
     "candidate_angle", "candidate_stroke", "candidate_height", "candidate_phase", "candidate_frequency", "machine",
@@ -61,15 +77,17 @@ def estimate(
     base = setup.build()
     curves = [read_curve(path) for path in curve_files]
     refuse_redundant(context, curves)
+    mass_counts = method == "posterior" or output.out is not None
+    said = Said(warnings_of(context, setup, [curves], mass_counts=mass_counts), treated_as(setup, base, method))
     base, curves = sized_by_film(base, curves, told=setup.size_told)
     motions = setup.motions(base, len(curves))
     if method == "posterior":
         base = measured_as(base, measurement.protocol)
-        _posterior(curves, base, motions, setup, measurement, planning, output, seed)
+        _posterior(curves, base, motions, setup, measurement, planning, output, seed, said)
     else:
         beta = measurement.friction_ratio
         base = base.replace(friction=base.friction.with_ratio(beta)) if beta is not None else base
-        _directly(curves, base.replace(motion=motions[0]), method, coefficients, output)
+        _directly(curves, base.replace(motion=motions[0]), method, coefficients, output, said)
 
 
 def _refuse_idle(context: typer.Context, method: Method, planning: PlanOptions, output: OutputOptions) -> None:
@@ -118,6 +136,7 @@ def _directly(
     method: Direct,
     coefficients: Coefficients | None,
     output: OutputOptions,
+    said: Said,
 ) -> None:
     """One curve without the engine: the source's method, or the regression for any size."""
     from plategait.estimate.direct import estimate_directly
@@ -127,8 +146,9 @@ def _directly(
     if output.out and not result.refused:
         write_fragment(result.to_fragment(base), output.out)
     if output.as_json:
-        report.print_json(result.summary() | {"notes": list(fit.notes)})
+        report.print_json(result.summary() | {"warnings": said.warnings, "notes": [*said.notes, *fit.notes]})
     else:
+        report.print_notes(said.lines)
         report.print_notes(fit.notes)
         estimate_report.print_linear(result)
     raise typer.Exit(1 if result.refused else 0)
@@ -143,6 +163,7 @@ def _posterior(
     planning: PlanOptions,
     output: OutputOptions,
     seed: int,
+    said: Said,
 ) -> None:
     """The engine in the loop."""
     from plategait.estimate.observations import Condition
@@ -162,8 +183,11 @@ def _posterior(
     if written:
         write_fragment(result.to_fragment(), written)
     if output.as_json:
-        report.print_json(result.summary() | ({"next": plan.summary() if plan else None} if planning.asked else {}))
+        told = {"warnings": said.warnings, "notes": [*said.notes, *result.summary()["notes"]]}
+        told |= {"next": plan.summary() if plan else None} if planning.asked else {}
+        report.print_json(result.summary() | told)
     else:
+        report.print_notes(said.lines)
         estimate_report.print_estimate(result, plan)
         if not result.goodness.explained:
             estimate_report.print_unexplained(written, planned=planning.asked)

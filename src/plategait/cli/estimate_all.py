@@ -18,6 +18,7 @@ from plategait.cli.estimate_options import (
     MethodName,
     SetupOptions,
 )
+from plategait.cli.estimate_untold import treated_as, warnings_of
 from plategait.cli.groups import grouped
 from plategait.curve.protocol import measured_as
 from plategait.errors import InputError
@@ -77,16 +78,24 @@ def estimate_all(
     from plategait.collection.collection import estimate_all as run
     from plategait.collection.objects import read_items
 
-    if curves := [curve for item in read_items(objects) for curve in item.curves]:
-        refuse_redundant(context, curves)
+    read = [item.curves for item in read_items(objects) if item.curves]
+    if read:
+        refuse_redundant(context, [curve for curves in read for curve in curves])
+    mass_counts = method == "posterior" or fragments is not None
+    warnings, notes = (
+        warnings_of(context, setup, read, mass_counts=mass_counts),
+        treated_as(setup, asked.scenario, method),
+    )
     with report.going_on_in(store), report.progress_bar("estimating") as progress:
         outcomes = run(objects, asked, store=store, dask=dask, progress=progress)
     _write(outcomes, out, fragments)
     counted = {"objects": len(outcomes), "answered": sum(o.answered for o in outcomes),
                "failed": sum(bool(o.failure) for o in outcomes)}  # fmt: skip
     if as_json:
-        report.print_json(counted | {"estimates": [outcome.plain for outcome in outcomes]})
+        told = {"warnings": warnings, "notes": notes}
+        report.print_json(counted | told | {"estimates": [outcome.plain for outcome in outcomes]})
     else:
+        report.print_notes([*warnings, *notes])
         _print(outcomes)
     raise typer.Exit(0 if counted["answered"] == len(outcomes) else 1)
 

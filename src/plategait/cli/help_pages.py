@@ -68,7 +68,8 @@ EXAMPLES = {
     "steer": ('plategait steer cheese --to "20 mm, 10 mm, 90 deg" --film way.mp4',),
     "scenario": ("plategait scenario --print cheese > mine.toml", "plategait scenario mine.toml"),
     "estimate": (
-        "plategait estimate curve.csv --out object.toml --plot estimate.png", "plategait estimate curve.csv --next",
+        'plategait estimate curve.csv --mass "13.6 g" --radius "40 mm" --out object.toml',
+        "plategait estimate curve.csv --scenario mine.toml --next --plot estimate.png",
     ),
     "estimate-all": ("plategait estimate-all curves/ --out objects.csv",),
     "track": ('plategait track clip.mp4 --frequency "20 Hz" --out poses.csv',),
