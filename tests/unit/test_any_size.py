@@ -97,6 +97,17 @@ def test_the_objects_own_stiffness_and_friction_say_nothing():
     assert CHEESE.sheet.replace(bending_stiffness=k[0]).natural_frequency == pytest.approx(one.natural_frequency)
 
 
+def test_a_stiffness_known_within_a_factor_stays_above_zero():
+    estimate = replace(estimate_any_size(RISING, CHEESE), natural_frequency=30.0, natural_frequency_sd=21.0)
+    low, high = estimate.interval("natural_frequency")
+    assert low * high == pytest.approx(30.0**2)
+    assert high / 30 == pytest.approx(math.exp(1.645 * 0.7))
+    stiffness = estimate.to_fragment(CHEESE).parameters["sheet.bending_stiffness"]
+    assert 0 < stiffness.low < stiffness.value < stiffness.high
+    # What `--draws` lays on the logarithm is that of k_b: twice that of ω_n.
+    assert math.log1p(stiffness.sd / stiffness.value) == pytest.approx(1.4)
+
+
 def test_what_is_shipped_was_learnt_from_the_shipped_runs():
     told = tomllib.loads(shipped("any_size.toml"))
     for name, regression in regressions().items():

@@ -25,8 +25,12 @@ def print_linear(result: LinearEstimate) -> None:
     numbers = result.summary()["parameters"]
     from plategait.estimate.result import LABELS
 
-    rows = [[LABELS[n], f"{v['median']:.2f} ± {v['sd']:.2f} {v['unit']}"] for n, v in numbers.items()]
-    report.print_table(f"{result.method} method, {result.coefficients} coefficients", ["", "± one sd"], rows)
+    rows = [
+        [LABELS[n], f"{v['median']:.2f} ± {v['sd']:.2f} {v['unit']}", f"{v['low']:.2f} to {v['high']:.2f}"]
+        for n, v in numbers.items()
+    ]
+    title = f"{result.method} method, {result.coefficients} coefficients"
+    report.print_table(title, ["", "± one sd", "90 % interval"], rows)
 
 
 def print_estimate(result: Estimate, plan: Plan | None) -> None:

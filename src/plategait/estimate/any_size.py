@@ -162,7 +162,7 @@ def estimate_any_size(curve: Curve, scenario: Scenario) -> LinearEstimate:
     return LinearEstimate(
         natural_frequency=omega, natural_frequency_sd=omega * log_sd,
         friction_angle=math.radians(alpha), friction_angle_sd=math.radians(alpha_sd),
-        method="any-size", coefficients="simulated", refused=_outside(seen), nominal=False,
+        method="any-size", coefficients="simulated", refused=_outside(seen), nominal=False, logarithmic=True,
     )  # fmt: skip
 
 

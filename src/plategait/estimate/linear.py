@@ -66,6 +66,8 @@ class LinearEstimate:
         Why it must not be used: outside what the method was made from. Empty where it may.
     nominal : bool
         Whether ω_n is as the source counts it, 3 % below that of the model's dish mode (`plategait.published`).
+    logarithmic : bool
+        Whether ω_n is normal in its logarithm, as what is known within a factor is.
     """
 
     natural_frequency: float
@@ -76,17 +78,24 @@ class LinearEstimate:
     coefficients: str
     refused: tuple[str, ...]
     nominal: bool = True
+    logarithmic: bool = False
+
+    def interval(self, name: str, reach: float = 1.645) -> tuple[float, float]:
+        """Interval of "natural_frequency" or "friction_angle", SI: 90 %, or so many standard deviations either way."""
+        value, sd = getattr(self, name), reach * getattr(self, f"{name}_sd")
+        if self.logarithmic and name == NATURAL_FREQUENCY.name:
+            return value * math.exp(-sd / value), value * math.exp(sd / value)
+        return value - sd, value + sd
 
     def summary(self) -> dict[str, Any]:
-        """Plain numbers for `--json`; None where refused."""
-        numbers = {
-            unknown.name: {
-                "unit": unknown.unit,
-                "median": None if self.refused else plain(getattr(self, unknown.name) / unknown.scale),
-                "sd": None if self.refused else plain(getattr(self, f"{unknown.name}_sd") / unknown.scale),
-            }
-            for unknown in (NATURAL_FREQUENCY, FRICTION_ANGLE)
-        }
+        """Plain numbers for `--json`, with 90 % intervals; None where refused."""
+        numbers = {}
+        for unknown in (NATURAL_FREQUENCY, FRICTION_ANGLE):
+            low, high = self.interval(unknown.name)
+            told = {"median": getattr(self, unknown.name), "sd": getattr(self, f"{unknown.name}_sd"), "low": low,
+                    "high": high}  # fmt: skip
+            values = {key: None if self.refused else plain(value / unknown.scale) for key, value in told.items()}
+            numbers[unknown.name] = {"unit": unknown.unit} | values
         return {"method": self.method, "coefficients": self.coefficients, "parameters": numbers,
                 "refused": list(self.refused)}  # fmt: skip
 
@@ -97,12 +106,15 @@ class LinearEstimate:
                              "--method posterior")  # fmt: skip
         own = nominal_natural_frequency(scenario.sheet) if self.nominal else None
         k = scenario.sheet.with_natural_frequency(self.natural_frequency, nominal=own).bending_stiffness
-        k_sd = 2 * k * self.natural_frequency_sd / self.natural_frequency
+        share = 2 * self.natural_frequency_sd / self.natural_frequency
+        stiffness = Measured(k, k * share, k * (1 - 1.96 * share), k * (1 + 1.96 * share))
+        if self.logarithmic:
+            stiffness = Measured(k, k * math.expm1(share), k * math.exp(-1.96 * share), k * math.exp(1.96 * share))
         mu, mu_sd = math.tan(self.friction_angle), self.friction_angle_sd / math.cos(self.friction_angle) ** 2
         return Fragment(
             {
-                name: Measured(value, sd, value - 1.96 * sd, value + 1.96 * sd)
-                for name, value, sd in (("sheet.bending_stiffness", k, k_sd), ("friction.static", mu, mu_sd))
+                "sheet.bending_stiffness": stiffness,
+                "friction.static": Measured(mu, mu_sd, mu - 1.96 * mu_sd, mu + 1.96 * mu_sd),
             },
             source=f"plategait estimate --method {self.method}, {self.coefficients} coefficients",
         )
