@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from plategait.curve.curve import Curve
 from plategait.curve.lorentz import LorentzFit, fit_lorentzian, lorentzian
-from plategait.curve.peak import unseen_peak, unseen_top
+from plategait.curve.peak import anywhere, unseen_peak, unseen_top
 from plategait.curve.quick_lorentz import fit_shape
 from plategait.curve.spin_curve import fit_curve
 from plategait.errors import InputError
@@ -154,3 +154,16 @@ def test_a_refused_peak_is_said_everywhere():
     assert "no Lorentz fit" in words
     assert "adding frequencies" in words
     assert not any("Lorentz fit (5.5)" in str(line.get_label()) for line in plot_curve(curve).axes[0].get_lines())
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "said"),
+    [
+        (20.04, 31.0, "anywhere from 20.04 to 31 Hz"),
+        (20.04, math.inf, "anywhere from 20.04 Hz on"),
+        (-math.inf, 31.0, "anywhere up to 31 Hz"),
+        (-math.inf, math.inf, "at any frequency"),
+    ],
+)
+def test_an_end_that_nothing_bounds_goes_without_words(low, high, said):
+    assert anywhere(low, high, digits=4) == said

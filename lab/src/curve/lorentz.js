@@ -1,7 +1,7 @@
 // The Lorentz line shape of a spin curve, equation (5.5), and its fit (section 5.3.2): the package's curve/lorentz.py.
 import { chiSquareUpper, fisherQuantile, studentQuantile } from "./distributions.js";
 import { leastSquares, minimise, normalMatrix, pseudoInverse, rootBetween } from "./minimise.js";
-import { digits, distinct, unseenPeak, unseenTop } from "./peak.js";
+import { anywhere, digits, distinct, unseenPeak, unseenTop } from "./peak.js";
 
 // How far an end of an interval is sought: a factor 100 in peak and half width, one and a half spans in f0.
 const REACH = [Math.log(100), 1.5, Math.log(100)];
@@ -219,10 +219,10 @@ const unbounded = (f, peaks, centres, widths, endsInFailure) => {
   const high = each.at(-1) + (each.at(-1) - each.at(-2)) / 2;
   const inside = low <= centres[0] && (endsInFailure || centres[1] <= high);
   if (!(inside && centres[1] - centres[0] <= each.at(-1) - each[0])) {
-    return `a peak anywhere from ${digits(centres[0], 4)} to ${digits(centres[1], 4)} Hz`;
+    return `a peak ${anywhere(...centres, 4)}`;
   }
   if (![...peaks, ...widths].every(Number.isFinite) || widths[0] === 0) {
-    return `a half width anywhere from ${digits(widths[0], 2)} to ${digits(widths[1], 2)} Hz`;
+    return `a half width ${anywhere(...widths, 2)}`;
   }
   return null;
 };

@@ -7,6 +7,13 @@ const LEAST_SAMPLES = 3;
 export const digits = (value, count = 6) =>
   Number.isFinite(value) ? String(Number(value.toPrecision(count))) : String(value).replace("Infinity", "inf");
 
+/** Where something lies that the samples leave open, Hz; an end that they do not bound at all goes without words. */
+export const anywhere = (low, high, count) => {
+  const [start, end] = [low, high].map((value) => digits(value, count));
+  if (!Number.isFinite(low)) return Number.isFinite(high) ? `anywhere up to ${end} Hz` : "at any frequency";
+  return Number.isFinite(high) ? `anywhere from ${start} to ${end} Hz` : `anywhere from ${start} Hz on`;
+};
+
 /** Distinct frequencies, rising. */
 export const distinct = (frequency) => [...new Set(frequency)].sort((a, b) => a - b);
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from plategait.arrays import Array
-from plategait.curve.peak import unseen_peak, unseen_top
+from plategait.curve.peak import anywhere, unseen_peak, unseen_top
 from plategait.errors import InputError
 from plategait.shown import Shown
 
@@ -260,9 +260,9 @@ def _unbounded(f: Array, peaks: Interval, centres: Interval, widths: Interval, e
     low, high = each[0] - (each[1] - each[0]) / 2, each[-1] + (each[-1] - each[-2]) / 2
     inside = low <= centres[0] and (ends_in_failure or centres[1] <= high)
     if not (inside and centres[1] - centres[0] <= np.ptp(f)):
-        return f"a peak anywhere from {centres[0]:.4g} to {centres[1]:.4g} Hz"
+        return f"a peak {anywhere(*centres, digits=4)}"
     if not np.isfinite([*peaks, *widths]).all() or widths[0] == 0:
-        return f"a half width anywhere from {widths[0]:.2g} to {widths[1]:.2g} Hz"
+        return f"a half width {anywhere(*widths, digits=2)}"
     return None
 
 

@@ -11,6 +11,14 @@ LEAST_SAMPLES = 3
 """Frequencies that must lie within the half width of a peak: it has a height, a place and a width."""
 
 
+def anywhere(low: float, high: float, *, digits: int) -> str:
+    """Where something lies that the samples leave open, Hz; an end that they do not bound at all goes without words."""
+    start, end = (f"{value:.{digits}g}" for value in (low, high))
+    if not np.isfinite(low):
+        return f"anywhere up to {end} Hz" if np.isfinite(high) else "at any frequency"
+    return f"anywhere from {start} to {end} Hz" if np.isfinite(high) else f"anywhere from {start} Hz on"
+
+
 def unseen_top(frequency: ArrayLike, rate: ArrayLike, *, ends_in_failure: bool = False) -> str | None:
     """Why the samples show no top, whatever its shape; None where they do.
 

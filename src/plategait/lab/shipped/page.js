@@ -4058,6 +4058,11 @@ ${codeblock}`, options);
   // src/curve/peak.js
   var LEAST_SAMPLES = 3;
   var digits2 = (value, count = 6) => Number.isFinite(value) ? String(Number(value.toPrecision(count))) : String(value).replace("Infinity", "inf");
+  var anywhere = (low, high, count) => {
+    const [start, end] = [low, high].map((value) => digits2(value, count));
+    if (!Number.isFinite(low)) return Number.isFinite(high) ? `anywhere up to ${end} Hz` : "at any frequency";
+    return Number.isFinite(high) ? `anywhere from ${start} to ${end} Hz` : `anywhere from ${start} Hz on`;
+  };
   var distinct = (frequency) => [...new Set(frequency)].sort((a, b) => a - b);
   var heightsOf = (frequency, rate) => {
     const f = distinct(frequency);
@@ -4274,10 +4279,10 @@ ${codeblock}`, options);
     const high = each.at(-1) + (each.at(-1) - each.at(-2)) / 2;
     const inside = low <= centres[0] && (endsInFailure2 || centres[1] <= high);
     if (!(inside && centres[1] - centres[0] <= each.at(-1) - each[0])) {
-      return `a peak anywhere from ${digits2(centres[0], 4)} to ${digits2(centres[1], 4)} Hz`;
+      return `a peak ${anywhere(...centres, 4)}`;
     }
     if (![...peaks, ...widths].every(Number.isFinite) || widths[0] === 0) {
-      return `a half width anywhere from ${digits2(widths[0], 2)} to ${digits2(widths[1], 2)} Hz`;
+      return `a half width ${anywhere(...widths, 2)}`;
     }
     return null;
   };
