@@ -6,6 +6,7 @@ import difflib
 import math
 import os
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
 from plategait.errors import InputError
@@ -214,6 +215,12 @@ def preset(name: str) -> Preset:
     """
     if not isinstance(name, str) or name not in _MAKERS:
         raise InputError("preset", name, f"one of {', '.join(PRESETS)}", _nearest(name))
+    return _made(name)
+
+
+@cache
+def _made(name: str) -> Preset:
+    """Preset of a name, once: looking it up again is what scripts do at each of thousands of points."""
     printed = _MAKERS[name]()
     return printed if name == "cheese-as-printed" else _with_departures(printed)
 
