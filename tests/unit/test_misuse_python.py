@@ -77,6 +77,7 @@ MISUSES = {
     "a motion for a trajectory": (lambda: pg.write_trajectory(CHEESE.motion, "m.csv"), "trajectory", "'a PlateMotion'",
                                   "trajectory(scenario.motion)"),
     "a spin of 300": (lambda: pg.Goal(spin=300), "spin", "'300 rad/s, as a bare number is SI'", '"300 deg/s"'),
+    "nought for a goal": (lambda: pg.optimize_motion(CHEESE, goal=0), "goal", "0", "Goal(spin="),
     "a word for a goal": (lambda: pg.optimize_motion(CHEESE, goal="fast"), "goal", "'fast'", "Goal(spin="),
     "a range misspelt": (lambda: pg.optimize_motion(CHEESE, ranges={"frequncy": (1, 2)}), "frequncy", "nothing known",
                          "frequency"),

@@ -18,7 +18,10 @@ if TYPE_CHECKING:
     from plategait.study.source import SourceStudy
 
 FOLDER = Path("studies")
-Out = Annotated[Path, typer.Option("--out", help="Folder for report.html, its figures, tables and JSON, and the runs.")]
+Out = Annotated[
+    Path,
+    typer.Option("--out", metavar="FOLDER", help="Folder for report.html, its figures, tables and JSON, and the runs."),
+]
 
 study = typer.Typer(
     cls=Group, help="Studies: what the dissertation leaves open, answered with numbers and their uncertainty."
@@ -82,7 +85,9 @@ def _answered(names: tuple[str, ...], out: Path, as_json: bool) -> None:
 
 @study.command(cls=Command)
 def source(
-    out: Annotated[Path, typer.Option("--out", help="Folder for stores, figures and source.json.")] = Path("source"),
+    out: Annotated[
+        Path, typer.Option("--out", metavar="FOLDER", help="Folder for stores, figures and source.json.")
+    ] = Path("source"),
     seeds: Annotated[int, typer.Option("--seeds", help="Independent searches.", min=1)] = SEEDS,
     evaluations: Annotated[int, typer.Option("--evaluations", help="Of each search over the priors.", min=32)] = FIRST,
     generations: Annotated[

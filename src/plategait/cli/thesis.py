@@ -13,7 +13,9 @@ from plategait.cli.command import refuse
 Names = Annotated[
     list[str] | None, typer.Argument(metavar="[NAME]…", help="Figures and tables: fig5.7 table5.9. All by default.")
 ]
-Folder = Annotated[Path, typer.Option("--out", help="Folder for report.html, figures and CSV; made if missing.")]
+Folder = Annotated[
+    Path, typer.Option("--out", metavar="FOLDER", help="Folder for report.html, figures and CSV; made if missing.")
+]
 
 
 def thesis(

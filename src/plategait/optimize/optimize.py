@@ -139,8 +139,9 @@ def _check_numbers(draws: int, searches: int, seed: int, shares: Mapping[str, fl
 
 
 def _read_goal(goal: Goal | None) -> Goal:
-    check_kind(goal or Goal(), Goal, "goal", 'Goal(spin="300 deg/s")')
-    return goal or Goal()
+    goal = Goal() if goal is None else goal
+    check_kind(goal, Goal, "goal", 'Goal(spin="300 deg/s")')
+    return goal
 
 
 def _space(
