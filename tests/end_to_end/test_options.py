@@ -26,7 +26,18 @@ from plategait.simulation.registry import all_observables
 
 Typed = tuple[str, ...]
 # Commands that are made from the catalogue; a name that it has and this list has not is found out.
-QUESTIONS = ("friction", "gait", "identifiability", "phases", "sizes", "strides", "stroke", "torsion", "viscosity")
+QUESTIONS = (
+    "freshness",
+    "friction",
+    "gait",
+    "identifiability",
+    "phases",
+    "sizes",
+    "strides",
+    "stroke",
+    "torsion",
+    "viscosity",
+)
 
 
 @dataclass(frozen=True)

@@ -27,11 +27,14 @@ class Question:
         The question in a sentence.
     simulated : float
         About how much it simulates, s, for the progress.
+    films : bool
+        Whether it makes films and tracks them, for which OpenCV is needed.
     """
 
     name: str
     asks: str
     simulated: float
+    films: bool = False
 
     def answer(self, runs: Runs) -> Answer:
         """Answer it from runs, those that are kept and those that are missing."""
@@ -56,6 +59,8 @@ QUESTIONS = (
              "the pitch converge?", 1400.0),
     Question("phases", "What do the phase and the periods of rocking and shaking decide?", 1600.0),
     Question("stroke", "What would have to be true for the spin rate not to depend on the stroke B_p?", 4300.0),
+    Question("freshness", "Do films tell two batches of an ageing food apart, of which one is 20 % stiffer, and how "
+             "surely?", 9700.0, films=True),
 )  # fmt: skip
 NAMES = tuple(question.name for question in QUESTIONS)
 
