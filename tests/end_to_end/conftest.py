@@ -17,6 +17,14 @@ from plategait.cli import main
 
 
 @pytest.fixture(scope="session", autouse=True)
+def a_terminal_of_a_known_width():
+    """Print tables as wide on any machine: in a narrow terminal lines break elsewhere."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("COLUMNS", "120")
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
 def commands_built_once():
     """Build the tree of commands once, as a process that runs one command does, and not for each of a thousand."""
     with pytest.MonkeyPatch.context() as patch:
