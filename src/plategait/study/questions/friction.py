@@ -14,7 +14,7 @@ from plategait.curve.curve import Curve
 from plategait.curve.protocol import Protocol, measured_as
 from plategait.estimate.result import estimate_parameters
 from plategait.model.scenario import Scenario
-from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, new_figure
+from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, legend_below, new_figure, plain_logarithms
 from plategait.study.catalogue import Question
 from plategait.study.claims import Answer, Claim, Number, number_of, numbers_of
 from plategait.study.measured import Columns, Measured
@@ -328,6 +328,7 @@ def draw(
         axis.set_title(title, fontsize=10)
     for axis in axes[:2]:
         axis.set_yscale("log")
+        plain_logarithms(axis.yaxis)
         label_axes(axis, "plate frequency, Hz", "spin rate, deg/s")
         axis.legend(frameon=False, fontsize=8)
     seen = features(forms.means, scenarios)
@@ -343,5 +344,5 @@ def draw(
                          label=label)  # fmt: skip
     axes[2].plot([25, 57], [25, 57], color=GREY, lw=1)
     label_axes(axes[2], "true α, deg", "told, deg")
-    axes[2].legend(frameon=False, fontsize=8)
+    legend_below(figure, axes[2].get_legend_handles_labels()[0])
     return figure

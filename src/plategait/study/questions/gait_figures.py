@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from plategait.arrays import Array, Flags
-from plategait.plots.style import BLUE, GREEN, GREY, MARKERS, RED, label_axes, new_figure
+from plategait.plots.style import (
+    BLUE,
+    GREEN,
+    GREY,
+    MARKERS,
+    RED,
+    label_axes,
+    legend_below,
+    new_figure,
+    plain_logarithms,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -41,6 +51,7 @@ def collapse(
         order = np.argsort(soft)
         left.plot(soft[order], gamma[order], "-", lw=1, color=colour)
     left.set_xscale("log")
+    plain_logarithms(left.xaxis)
     left.set_ylim(0.5, 4.5)
     label_axes(left, "softness Λ", "Γ over the rigid limit")
     left.legend(frameon=False, fontsize=8)
@@ -62,12 +73,15 @@ def bodies(gammas: Array, numbers: Mapping[str, Mapping[tuple[str, float], Array
     """
     figure = new_figure(11, 4.8)
     axes = figure.subplots(2, len(numbers), squeeze=False)
+    angles = sorted({angle for by_body in numbers.values() for _, angle in by_body})
     for column, (title, by_body) in enumerate(numbers.items()):
-        for row, angle in enumerate(sorted({a for _, a in by_body})):
+        for row, angle in enumerate(angles):
             axis = axes[row, column]
             for (name, _), colour in zip([key for key in by_body if key[1] == angle], (BLUE, RED, GREEN), strict=False):
                 axis.plot(gammas, by_body[name, angle], "o-", ms=3.5, lw=1.2, color=colour, label=name)
-            label_axes(axis, "Γ" if row else "", title)
-            axis.set_title(f"A_p = {angle:g} deg", fontsize=9)
-    axes[0, 0].legend(frameon=False, fontsize=8)
+            label_axes(axis, "Γ" if row else "", "")
+        axes[0, column].set_title(title, fontsize=9)
+    for row, angle in enumerate(angles):
+        axes[row, 0].set_ylabel(f"A_p = {angle:g} deg")
+    legend_below(figure)
     return figure

@@ -12,7 +12,7 @@ from plategait.arrays import Array
 from plategait.campaign.seal import hash_of
 from plategait.model.plain import plain_model
 from plategait.model.scenario import Scenario
-from plategait.plots.style import BLUE, GREY, RED, label_axes, new_figure
+from plategait.plots.style import BLUE, GREY, RED, label_axes, legend_below, new_figure
 from plategait.simulation.run import starts
 from plategait.simulation.strobe import (
     COORDINATES,
@@ -283,12 +283,11 @@ def draw(found: dict[tuple[str, float], Measured], rises: dict[tuple[str, float]
             middle.plot(gammas, measured.means[f"growth_{name}"], "o-", ms=3.5, lw=1.2, color=colour, label=label)
         middle.axhline(0, lw=0.8, color=GREY)
         for name, marker in (("first_near", "o"), ("second_near", "^")):
-            low.plot(gammas, measured.means[name], marker, ms=4, color=BLUE, label=name.split("_")[0])
+            low.plot(gammas, measured.means[name], marker, ms=4, color=BLUE, label=f"{name.split('_')[0]} multiplier")
         for level in (-1, 1):
             low.axhline(level, lw=0.8, color=GREY)
         label_axes(top, "", "rise of the middle, r ω" if not column else "")
         label_axes(middle, "", "growth per stride" if not column else "")
         label_axes(low, "Γ", "multiplier (real part)" if not column else "")
-    axes[1, 0].legend(frameon=False, fontsize=8)
-    axes[2, 0].legend(frameon=False, fontsize=8)
+    legend_below(figure)
     return figure

@@ -272,14 +272,21 @@ def draw(found: Measured, sped: Measured, begun: Measured) -> Figure:
     label_axes(left, "power of B_p that the spin rate goes with", "")
     left.legend(frameon=False, fontsize=8, loc="lower right")
     share = rim_over_plate(sped.means)
-    middle.plot(np.array(MANY_STROKES) * 1e3, share[: len(MANY_STROKES)], "o-", ms=4, color=BLUE, label="over B_p, mm")
     middle.plot(
-        np.array(RADII) * 1e3, share[len(MANY_STROKES) :][: len(RADII)], "^-", ms=4, color=GREEN, label="over r, mm"
+        np.array(MANY_STROKES) * 1e3, share[: len(MANY_STROKES)], "o-", ms=4, color=BLUE, label="over the stroke B_p"
+    )
+    middle.plot(
+        np.array(RADII) * 1e3,
+        share[len(MANY_STROKES) :][: len(RADII)],
+        "^-",
+        ms=4,
+        color=GREEN,
+        label="over the radius r",
     )
     middle.axhline(1, color=GREY, lw=0.8)
     middle.set_xscale("log")
     middle.set_ylim(0, 1.1)
-    label_axes(middle, "mm", "speed of the rim over B_p ω_p")
+    label_axes(middle, "B_p or r, mm", "speed of the rim over B_p ω_p")
     middle.legend(frameon=False, fontsize=8)
     for i, (stroke, colour) in enumerate(zip(STROKES, (GREEN, BLUE, RED), strict=True)):
         turns = [math.degrees(begun.means[f"turn_{k}"][i]) for k in range(FIRST_PERIODS)]
