@@ -17,7 +17,7 @@ from plategait.vision.departure import departure_of
 from plategait.vision.findings import outline_middle
 from plategait.vision.object.form import fit_form
 from plategait.vision.object.pose import Pose
-from plategait.vision.object.rim import DIRECTIONS, RAYS, find_rim, learn_rim, marks_fit, spots_on_it
+from plategait.vision.object.rim import DIRECTIONS, RAYS, find_rim, learn_rim, marked_parts, marks_fit, spots_on_it
 from plategait.vision.plate.rectified import Grid
 from plategait.vision.velocity import local_velocity, velocity_of
 
@@ -70,15 +70,17 @@ def test_an_object_of_the_plates_colour_has_no_edge() -> None:
 )
 def test_marks_lie_in_the_middle_and_near_the_rim(offset: float, spacing: float, fits: bool) -> None:
     pose = Pose(0.004 + offset, -0.006, 0.0, "", spacing)
-    assert marks_fit([picture()] * 3, [pose] * 3, GRID, EVERYWHERE) is fits
+    parts = marked_parts([picture()] * 3, [pose] * 3, GRID, EVERYWHERE)
+    assert marks_fit(parts, [pose] * 3, GRID) is fits
 
 
 def test_spots_are_counted_on_the_object_alone() -> None:
     pose = Pose(0.004, -0.006, 0.0, "", 0.024)
+    parts = marked_parts([picture()] * 3, [pose] * 3, GRID, EVERYWHERE)
     on_it, beside_it = [[0.004, -0.006], [0.02, -0.006], [0.004, 0.01]], [[0.046, -0.006], [0.004, 0.04], [9.0, 9.0]]
     for spots, count in ((on_it, 3), (beside_it, 0), (on_it + beside_it, 3), ([], 0)):
         places = [np.array(spots).reshape(-1, 2)] * 3
-        assert spots_on_it([picture()] * 3, [pose] * 3, places, GRID, EVERYWHERE) == count
+        assert spots_on_it(parts, places, GRID) == count
 
 
 def seen_rims(lift: float, thickness: float = 2e-3, radius: float = 0.03) -> tuple[np.ndarray, ...]:

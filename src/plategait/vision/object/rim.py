@@ -195,22 +195,28 @@ def _half_way(likeness: Array, open_: Flags, edge: Array, first: int) -> tuple[A
     return centre + offsets[k] + share, clear
 
 
-def marks_fit(patches: list[Picture], poses: list[Pose], grid: Grid, allowed: Picture) -> bool:
+def marked_parts(patches: list[Picture], poses: list[Pose], grid: Grid, allowed: Picture) -> list[Picture | None]:
+    """What two marks lie on, in each picture of the plate: of all that stands out from it the largest at their pose."""
+    each = zip(patches, poses, strict=True)
+    found = [parts_at(np.array([pose.x, pose.y]), standing_out(patch, grid, allowed), grid) for patch, pose in each]
+    return [parts[0] if parts else None for parts in found]
+
+
+def marks_fit(parts: list[Picture | None], poses: list[Pose], grid: Grid) -> bool:
     """Whether two marks lie where an object's do, one in its middle and one near its rim.
 
     Parameters
     ----------
-    patches : list of (rows, columns, 3) arrays
-        The plate from above.
+    parts : list of (rows, columns) arrays or None
+        Of `marked_parts`. What does not stand out from the plate contradicts nothing.
     poses : list of Pose
-        Of the marks in them. What does not stand out from the plate contradicts nothing.
+        Of the marks on them.
     """
     off, along = [], []
-    for patch, pose in zip(patches, poses, strict=True):
-        parts = parts_at(np.array([pose.x, pose.y]), standing_out(patch, grid, allowed), grid)
-        if not parts:
+    for part, pose in zip(parts, poses, strict=True):
+        if part is None:
             continue
-        rows, columns = np.nonzero(parts[0])
+        rows, columns = np.nonzero(part)
         size = math.sqrt(len(rows) / math.pi) * grid.pitch
         middle = grid.plate(np.array([columns.mean(), rows.mean()]))
         off.append(math.hypot(middle[0] - pose.x, middle[1] - pose.y) / size)
@@ -218,22 +224,21 @@ def marks_fit(patches: list[Picture], poses: list[Pose], grid: Grid, allowed: Pi
     return not off or (float(np.median(off)) < MOST_OFF and float(np.median(along)) > LEAST_ALONG)
 
 
-def spots_on_it(patches: list[Picture], poses: list[Pose], spots: list[Array], grid: Grid, allowed: Picture) -> float:
+def spots_on_it(parts: list[Picture | None], spots: list[Array], grid: Grid) -> float:
     """How many spots lie on the object that two marks are on: the median over pictures, 0 where it stands out in none.
 
     Parameters
     ----------
-    patches : list of (rows, columns, 3) arrays
-        The plate from above.
-    poses : list of Pose
-        Of the marks in them.
+    parts : list of (rows, columns) arrays or None
+        Of `marked_parts`.
     spots : list of (n, 2) arrays
-        Where something in each looks like them, m.
+        Where something in each picture looks like the marks, m.
     """
-    counts = []
-    for patch, pose, places in zip(patches, poses, spots, strict=True):
-        parts = parts_at(np.array([pose.x, pose.y]), standing_out(patch, grid, allowed), grid)
-        counts += [sum(bool(parts_at(place, parts[:1], grid)) for place in places)] if parts else []
+    counts = [
+        sum(bool(parts_at(place, [part], grid)) for place in places)
+        for part, places in zip(parts, spots, strict=True)
+        if part is not None
+    ]
     return float(np.median(counts)) if counts else 0.0
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from plategait.arrays import Array, Picture
 from plategait.vision.object.markers import MarkerTracker, as_tracked, learn_markers
 from plategait.vision.object.pose import Pose, middle_of
-from plategait.vision.object.rim import RAYS, find_rim, learn_rim, marks_fit, spots_on_it
+from plategait.vision.object.rim import RAYS, find_rim, learn_rim, marked_parts, marks_fit, spots_on_it
 from plategait.vision.object.texture import TextureTracker, learn_object
 from plategait.vision.plate.rectified import Grid
 
@@ -81,10 +81,13 @@ class ObjectTracker:
             return False
         if not told:
             shown, places = [patches[k] for k in sure], [poses[k] for k in sure]
+            parts = marked_parts(shown, places, self.grid, self.allowed)
+            if not marks_fit(parts, places, self.grid):
+                self.notes.append(NO_MARKERS)
+                return False
             spots = [tracker.alike(patch, self.grid, self.allowed) for patch in shown]
-            fits = marks_fit(shown, places, self.grid, self.allowed)
-            if not fits or spots_on_it(shown, places, spots, self.grid, self.allowed) > MOST_SPOTS:
-                self.notes.append(MANY_SPOTS if fits else NO_MARKERS)
+            if spots_on_it(parts, spots, self.grid) > MOST_SPOTS:
+                self.notes.append(MANY_SPOTS)
                 return False
         self._learn_rim(patches, poses)
         self.markers, self.others = MarkerTracker(markers), markers.others
