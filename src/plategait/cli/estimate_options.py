@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from plategait.cli import options, report
-from plategait.cli.material_options import MaterialOptions
+from plategait.cli.material_options import DampingRatio, Density, LossFactor, MaterialOptions, Pitch
 from plategait.curve.protocol import USUAL, Protocol
 from plategait.errors import InputError
 from plategait.model.fragment import read_fragment
@@ -78,7 +78,7 @@ class SetupOptions:
             "--outline", help='Cut to: "disk 40 mm" (radius), "rectangle 90 mm x 60 mm", corners.csv (x_mm,y_mm), …'
         ),
     ] = None
-    pitch: Annotated[str | None, typer.Option("--pitch", help='Distance between nodes: "5 mm".')] = None
+    pitch: Pitch = None
     material: Annotated[
         str | None, typer.Option("--material", help="Made of one of `plategait materials`, as a first guess of it.")
     ] = None
@@ -86,14 +86,10 @@ class SetupOptions:
         str | None,
         typer.Option("--young", help='First guess of Young\'s modulus, which is read anew: "0.5 MPa".'),
     ] = None
-    density: Annotated[str | None, typer.Option("--density", help='Of the material: "1100 kg/m^3".')] = None
+    density: Density = None
     poisson: Annotated[str | None, typer.Option("--poisson", help="Poisson's ratio of the material.")] = None
-    loss_factor: Annotated[
-        str | None, typer.Option("--loss-factor", help="Damping, tan delta at the dish mode: 0.1.")
-    ] = None
-    damping_ratio: Annotated[
-        str | None, typer.Option("--damping-ratio", help="Or the damping ratio of the dish mode: 0.05.")
-    ] = None
+    loss_factor: LossFactor = None
+    damping_ratio: DampingRatio = None
 
     @property
     def size_told(self) -> bool:

@@ -22,6 +22,14 @@ LEAST_DENSITY, MOST_DENSITY = 20.0, 25_000.0
 _OF_A_MATERIAL = ("thickness", "density", "poisson", "loss_factor", "damping_ratio")
 
 
+Pitch = Annotated[str | None, typer.Option("--pitch", help='Distance between nodes: "5 mm".')]
+Density = Annotated[str | None, typer.Option("--density", help='Of the material: "1100 kg/m^3".')]
+LossFactor = Annotated[str | None, typer.Option("--loss-factor", help="Damping, tan delta at the dish mode: 0.1.")]
+DampingRatio = Annotated[
+    str | None, typer.Option("--damping-ratio", help="Or the damping ratio of the dish mode: 0.05.")
+]
+
+
 @dataclass(frozen=True)
 class MaterialOptions:
     """What the sheet is cut to and made of, as typed, in place of the scenario's."""
@@ -34,23 +42,19 @@ class MaterialOptions:
             "a first line x_mm,y_mm, then a row for each corner in order.",
         ),
     ] = None
-    pitch: Annotated[str | None, typer.Option("--pitch", help='Distance between nodes: "5 mm".')] = None
+    pitch: Pitch = None
     mass: Annotated[str | None, typer.Option("--mass", help='Weighed mass: "5 g".')] = None
     material: Annotated[
         str | None, typer.Option("--material", help="Made of one of `plategait materials`, typical numbers.")
     ] = None
     young: Annotated[str | None, typer.Option("--young", help='Young\'s modulus: "0.5 MPa".')] = None
     thickness: Annotated[str | None, typer.Option("--thickness", help='Of the material: "1 mm".')] = None
-    density: Annotated[str | None, typer.Option("--density", help='Of the material: "1100 kg/m^3".')] = None
+    density: Density = None
     poisson: Annotated[
         str | None, typer.Option("--poisson", help=f"Poisson's ratio; {USUAL_POISSON_RATIO} with --young.")
     ] = None
-    loss_factor: Annotated[
-        str | None, typer.Option("--loss-factor", help="Damping, tan delta at the dish mode: 0.1.")
-    ] = None
-    damping_ratio: Annotated[
-        str | None, typer.Option("--damping-ratio", help="Or the damping ratio of the dish mode: 0.05.")
-    ] = None
+    loss_factor: LossFactor = None
+    damping_ratio: DampingRatio = None
 
     @property
     def of_a_material(self) -> bool:
