@@ -10,6 +10,7 @@ import numpy as np
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
 from plategait.curve.lorentz import LorentzFit
+from plategait.curve.protocol import Protocol, measured_as
 from plategait.curve.spin_curve import fit_curve
 from plategait.model.presets import preset
 from plategait.model.scenario import Scenario
@@ -23,6 +24,11 @@ FREQUENCIES = (13.0, 15.0, 16.0, 17.0, 18.0, 20.0, 22.0, 23.0, 24.0, 25.0, 26.0,
 def at_frequencies(scenarios: Sequence[Scenario], frequencies: Sequence[float] = FREQUENCIES) -> list[Scenario]:
     """Each scenario at each frequency in turn."""
     return [s.replace(**{"motion.frequency": f}) for s in scenarios for f in frequencies]
+
+
+def as_run(scenario: Scenario) -> Scenario:
+    """Scenario as an estimator is told that it was measured: as long, from when on and to the slip that it was run."""
+    return measured_as(scenario, Protocol(scenario.duration, scenario.measured_from, scenario.slip_limit))
 
 
 def curves_of(columns: Columns, frequencies: Sequence[float] = FREQUENCIES) -> list[Curve]:

@@ -11,7 +11,6 @@ import numpy as np
 from plategait import published
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
-from plategait.curve.protocol import Protocol, measured_as
 from plategait.estimate.result import estimate_parameters
 from plategait.model.scenario import Scenario
 from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, legend_below, new_figure, plain_logarithms
@@ -21,6 +20,7 @@ from plategait.study.measured import Columns, Measured
 from plategait.study.questions.curves import (
     CHEESE,
     FREQUENCIES,
+    as_run,
     at_frequencies,
     curves_of,
     fits_of,
@@ -45,7 +45,6 @@ WANDERING = 8
 """Curves whose α wanders."""
 SLOW = 15.0
 SEED = 11
-_PROTOCOL = Protocol(CHEESE.duration, CHEESE.measured_from, CHEESE.slip_limit)
 Forms = dict[str, tuple[tuple[str, ...], int]]
 FORMS: Forms = {
     "(5.7), a line of b/f0": (("width",), 1),
@@ -212,7 +211,7 @@ def wander_claims(found: Measured, still: Measured, forms: Measured, scenarios: 
 
 def posterior_of(curve: Curve, scatter: float) -> dict[str, float | bool]:
     """What the engine in the loop says of α of a curve, deg, β known, told how far α scatters, rad."""
-    told = estimate_parameters(curve, measured_as(CHEESE, _PROTOCOL), friction_ratio=CHEESE.friction.ratio,
+    told = estimate_parameters(curve, as_run(CHEESE), friction_ratio=CHEESE.friction.ratio,
                                friction_scatter=scatter, seed=SEED)  # fmt: skip
     alpha = told["friction_angle"]
     return {

@@ -11,7 +11,6 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
-from plategait.curve.protocol import Protocol, measured_as
 from plategait.errors import InputError
 from plategait.estimate.any_size import estimate_any_size
 from plategait.estimate.any_size_training import ACCELERATIONS, NOISE, drawn
@@ -21,6 +20,7 @@ from plategait.model.similarity import equivalent_radius, frequency_at
 from plategait.plots.style import BLUE, GREY, label_axes
 from plategait.study.claims import Number, number_of
 from plategait.study.measured import Columns, Measured
+from plategait.study.questions.curves import as_run
 from plategait.study.runs import Runs
 from plategait.thesis.item import Table
 
@@ -174,8 +174,7 @@ def _posterior(scenario: Scenario, curve: Curve) -> dict[str, Any]:
     """Errors of the posterior's medians, which is told what the any-size method is, and the slip limit."""
     guessed = scenario.sheet.with_natural_frequency(10 * math.pi)
     told = scenario.replace(sheet=guessed, friction=scenario.friction.with_angle("37 deg"), time_step=None)
-    protocol = Protocol(scenario.duration, scenario.measured_from, scenario.slip_limit)
-    found = estimate_parameters(curve, measured_as(told, protocol), friction_ratio=scenario.friction.ratio, seed=SEED)
+    found = estimate_parameters(curve, as_run(told), friction_ratio=scenario.friction.ratio, seed=SEED)
     omega, alpha = (found[name].median for name in ("natural_frequency", "friction_angle"))
     return {"omega": math.log(omega / scenario.sheet.natural_frequency),
             "alpha": math.degrees(alpha - scenario.friction.angle)}  # fmt: skip

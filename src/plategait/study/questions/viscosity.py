@@ -11,7 +11,6 @@ import numpy as np
 
 from plategait.arrays import Array
 from plategait.curve.curve import Curve
-from plategait.curve.protocol import Protocol, measured_as
 from plategait.estimate.result import estimate_parameters
 from plategait.model.inferred import DEPARTURES
 from plategait.model.scenario import Scenario
@@ -19,7 +18,7 @@ from plategait.plots.style import BLUE, GREEN, GREY, ORANGE, RED, label_axes, ne
 from plategait.study.catalogue import Question
 from plategait.study.claims import Answer, Claim, Number, number_of
 from plategait.study.measured import Columns, Measured
-from plategait.study.questions.curves import CHEESE, FREQUENCIES, at_frequencies, curves_of, fits_of, run_offs
+from plategait.study.questions.curves import CHEESE, FREQUENCIES, as_run, at_frequencies, curves_of, fits_of, run_offs
 from plategait.study.questions.information import measure_variants, slopes_of
 from plategait.study.runs import Runs
 from plategait.thesis.item import Table
@@ -119,9 +118,7 @@ def measured_curve(columns: Columns, read_bending: bool, seed: int) -> Curve:
 
 def posterior_of(curve: Curve) -> dict[str, Any]:
     """c_b over the presets' by the engine in the loop, all else unknown, the model taken as right."""
-    protocol = Protocol(CHEESE.duration, CHEESE.measured_from, CHEESE.slip_limit)
-    base = measured_as(CHEESE, protocol)
-    found = estimate_parameters(curve, base, fixed=("plate_height",), model_error=0.0, seed=SEED)
+    found = estimate_parameters(curve, as_run(CHEESE), fixed=("plate_height",), model_error=0.0, seed=SEED)
     told = found["bending_damping"]
     return {"verdict": told.verdict, "low": told.low, "median": told.median, "high": told.high, "sd": told.sd}
 
