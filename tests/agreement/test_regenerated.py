@@ -9,6 +9,7 @@ import pytest
 
 from plategait import published
 from plategait.estimate import training
+from plategait.estimate.shipped import shipped
 from plategait.thesis import reproduce
 from plategait.thesis.fits import published_fits
 from plategait.thesis.regressions import regress
@@ -118,5 +119,5 @@ def test_the_training_fits_are_those_of_this_engine(angle, omega_pi, alpha_deg):
 def test_the_shipped_coefficients_are_those_of_the_training_fits():
     fits = training.shipped_fits()
     assert len(fits) == len(published.curves())
-    assert training.fits_as_csv(fits) == training.shipped("fits.csv")
-    assert training.coefficients_as_toml(fits) == training.shipped("coefficients.toml")
+    assert training.fits_as_csv(fits) == shipped("fits.csv")
+    assert training.coefficients_as_toml(fits) == shipped("coefficients.toml")

@@ -15,8 +15,9 @@ from plategait.cli import main
 from plategait.curve.curve import Curve
 from plategait.errors import InputError
 from plategait.estimate import any_size, any_size_training
-from plategait.estimate.any_size import INPUTS, SOUGHT, estimate_any_size, reading, regressions, shipped
+from plategait.estimate.any_size import INPUTS, SOUGHT, estimate_any_size, reading, regressions
 from plategait.estimate.kriging import learn
+from plategait.estimate.shipped import shipped
 from plategait.model.outline import Rectangle
 from plategait.model.presets import preset
 from plategait.model.similarity import similar

@@ -11,7 +11,6 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from plategait.curve.curve import Curve
 from plategait.errors import InputError
 from plategait.estimate.kriging import Kriging
 from plategait.estimate.linear import LinearEstimate
+from plategait.estimate.shipped import shipped
 from plategait.model.scenario import Scenario
 from plategait.model.similarity import bending_over_weight, elongation, equivalent_radius
 
@@ -110,11 +110,6 @@ def _check_range(frequency: Array, run_off: float, to_gamma: float) -> None:
             f"{LEAST_POINTS} or more, from {first:.3g} Hz or less up to the run-off, or to {last:.3g} Hz, for an "
             "object of this size at this A_p and --method any-size", "--method posterior",
         )  # fmt: skip
-
-
-def shipped(name: str) -> str:
-    """Text of a file that `plategait.estimate.any_size_training` wrote."""
-    return files("plategait.estimate").joinpath("data", name).read_text(encoding="utf-8")
 
 
 @cache

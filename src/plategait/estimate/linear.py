@@ -7,7 +7,6 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from typing import Any, Literal
 
 import numpy as np
@@ -17,6 +16,7 @@ from plategait.curve.curve import Curve
 from plategait.curve.lorentz import LorentzFit
 from plategait.curve.spin_curve import fit_curve
 from plategait.errors import InputError
+from plategait.estimate.shipped import shipped
 from plategait.estimate.unknowns import FRICTION_ANGLE, NATURAL_FREQUENCY
 from plategait.files.plain import plain
 from plategait.model.fragment import Fragment
@@ -123,7 +123,7 @@ class LinearEstimate:
 @cache
 def calibrations() -> Mapping[str, Any]:
     """Coefficients that `plategait.estimate.training` refits, as shipped."""
-    text = files("plategait.estimate").joinpath("data/coefficients.toml").read_text(encoding="utf-8")
+    text = shipped("coefficients.toml")
     return tomllib.loads(text)
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import csv
 import math
 from dataclasses import astuple, dataclass, fields
-from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +18,7 @@ from plategait import published
 from plategait.arrays import Array
 from plategait.curve.protocol import measured_as
 from plategait.curve.spin_curve import spin_curve
+from plategait.estimate.shipped import shipped
 from plategait.model.presets import preset
 from plategait.published import PublishedCurve
 
@@ -54,11 +54,6 @@ def simulated_fit(curve: PublishedCurve) -> TrainingFit | None:
     if fit is None:
         return None
     return TrainingFit(curve.angle_deg, curve.omega_pi, curve.alpha_deg, fit.f0_hz, fit.half_width_hz / fit.f0_hz)
-
-
-def shipped(name: str) -> str:
-    """Text of a file that `main` wrote: "fits.csv" or "coefficients.toml"."""
-    return files("plategait.estimate").joinpath("data", name).read_text(encoding="utf-8")
 
 
 def shipped_fits() -> list[TrainingFit]:
